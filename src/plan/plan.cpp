@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
 #include <ranges>
 
 #include "mesh/features/symmetry.h"
@@ -10,6 +11,7 @@
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
 #include "plan/metal_plates.h"
+#include "scene/frequency_bands.h"
 #include "utd/gtd/ray_fields.h"
 
 namespace raytube {
@@ -136,6 +138,22 @@ void divide(BandPlanner& planner, std::span<const std::pair<double, std::size_t>
   divide(planner, frequencies.subspan(half), half + 1 == frequencies.size() ? highest : at(half), highest, bands);
 }
 
+// How finely a row is sampled depends on its band alone, not on the other frequencies. Grids of fixed density are as fine as the
+// highest of all frequencies asks.
+std::vector<BandPlan> in_sampled_bands(const std::vector<BandPlan>& bodies, std::span<const double> frequencies) {
+  std::vector<BandPlan> bands;
+  for (const BandPlan& body : bodies) {
+    std::map<double, BandPlan> parts;
+    for (const std::size_t index : body.indices) {
+      const auto [part, is_new] = parts.try_emplace(sampled_band(frequencies[index]).lowest, body);
+      if (is_new) part->second.indices.clear();
+      part->second.indices.push_back(index);
+    }
+    for (auto& [lowest, part] : parts) bands.push_back(std::move(part));
+  }
+  return bands;
+}
+
 std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known) {
   std::vector<std::pair<double, std::size_t>> ascending;
   for (const double frequency : plan.sweep.frequencies) ascending.emplace_back(frequency, ascending.size());
@@ -145,6 +163,7 @@ std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const Smoo
   const bool one = ascending.front().first == ascending.back().first;
   std::vector<BandPlan> bands;
   divide(planner, ascending, lowest, one ? lowest : planner.at(wavelength(ascending.back().first)), bands);
+  if (plan.tubes.refines()) bands = in_sampled_bands(bands, plan.sweep.frequencies);
   for (BandPlan& band : bands) {
     std::ranges::sort(band.indices);
     for (const std::size_t index : band.indices) band.frequencies.push_back(plan.sweep.frequencies[index]);

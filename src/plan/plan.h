@@ -17,7 +17,8 @@
 
 namespace raytube {
 
-/// Frequencies at which the target counts as the same body. Each is solved as if there were no others.
+/// Frequencies of a sampled band (scene/frequency_bands.h) at which the target counts as the same body. Each is solved as if
+/// there were no others.
 struct BandPlan {
   std::vector<std::size_t> indices;  // in the list of the sweep
   std::vector<double> frequencies;   // [Hz]

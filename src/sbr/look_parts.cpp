@@ -14,6 +14,7 @@
 #include "sbr/flat/polygon_tubes.h"
 #include "sbr/flat/tile_tracer.h"
 #include "sbr/solid/solid_tubes.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -65,7 +66,7 @@ bool cells_are_cheaper(const TubeLook& look) {
   const auto flat = static_cast<double>(std::ranges::count_if(look.faces.faces(), is_flat));
   if (flat <= faces_per_tile) return false;
   if (!look.clip) return 0.5 * flat > static_cast<double>(look.grid.cells());
-  const double wavelength = 2.0 * pi / std::ranges::max(look.wavenumbers()),
+  const double wavelength = 2.0 * pi / sampling_wavenumber(look.wavenumbers()),
                good_cell = wavelength / cells_per_wavelength * look.tolerance / error_of_cells;
   return cells_per_face * flat > static_cast<double>(look.grid.cells()) * look.grid.du * look.grid.dv / (good_cell * good_cell);
 }
@@ -131,9 +132,7 @@ std::size_t tiles_per_batch(int bounces, std::size_t frequencies) {
 Division divide(PartKind kind, const TubeLook& look) {
   if (kind != PartKind::flat || cells_are_cheaper(look)) return {};
   if (!look.clip) return {.polygons = true};
-  const std::size_t tiles = polygon_tiles(look).count;
-  const double most = bytes_of_blocks / tile_sum_bytes(bounces_of(look), look.wavenumbers().size());
-  return {true, most < 1.0 ? 1 : std::clamp<std::size_t>(tiles, 1, static_cast<std::size_t>(most))};
+  return {true, std::clamp<std::size_t>(polygon_tiles(look).count, 1, most_blocks)};
 }
 
 std::vector<TubeSums> trace_blocks(PartKind kind, const Division& division, const TubeLook& look,

@@ -23,7 +23,7 @@ enum class PartKind {
 };
 
 /// How a part of a look is traced, at all its frequencies alike: by polygons or not, and in how many blocks that can have grids
-/// of different density. Polygons that are refined have many, as far as their sums stay small.
+/// of different density. Polygons that are refined have many, whatever number of frequencies share them.
 struct Division {
   bool polygons = false;
   std::size_t blocks = 1;
@@ -38,8 +38,8 @@ Division divide(PartKind kind, const TubeLook& look);
 std::vector<TubeSums> trace_blocks(PartKind kind, const Division& division, const TubeLook& look,
                                    std::span<const std::size_t> blocks, Progress& progress, double share);
 
-/// What the sums of all blocks of a part may take.
-inline constexpr double bytes_of_blocks = 32e6;
+/// Blocks of a part at most: enough to refine a vehicle where it needs it, at 0.3 MB a frequency.
+inline constexpr std::size_t most_blocks = 256;
 
 /// Faces whose tubes are followed together, as one tile, where no sheets let waves through.
 inline constexpr std::uint32_t faces_per_tile = 256;

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
 #include <optional>
-#include <set>
+#include <ranges>
 
 #include "sbr/beams/beam.h"
+#include "sbr/beams/current_map.h"
 #include "sbr/beams/estimate.h"
 #include "sbr/beams/spherical_look.h"
 #include "sbr/beams/tolerances.h"
@@ -15,6 +19,7 @@
 #include "sbr/look_parts.h"
 #include "sbr/refinement.h"
 #include "sbr/visible/line_of_sight.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -25,9 +30,6 @@ constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 // The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
-// Where errors are permitted that are not known yet: on vehicles those of this density are a tenth of the model uncertainty in
-// the median, and a quarter at worst in most looks.
-constexpr double density_beside_a_model = 5.0;
 
 // Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
 constexpr double finest_grid = 0.9;
@@ -35,40 +37,41 @@ constexpr double finest_grid = 0.9;
 // Followed together: each beam between sheets keeps its fields at all of them.
 constexpr std::size_t most_frequencies_with_sheets = 16;
 
-// What of a part is traced on a grid of one density.
-struct PartBlock {
-  double per_wavelength;
-  TubeSums sums{};
-};
+// Grids of a part are denser by the root of two from rung to rung of a ladder, so that rows which ask for almost the same ask for
+// the same.
+double density_on(int rung, double first) { return std::ldexp(rung % 2 == 0 ? first : first * std::numbers::sqrt2, rung / 2); }
 
+// What of a look is traced by itself, in blocks: what is known of each, by rung.
 struct LookPart {
   PartKind kind;
   Division division{};
-  std::vector<PartBlock> blocks{};
-  TubeSums sums{};  // of all blocks
+  double first_density = 0.0;  // cells per wavelength, of rung 0
+  std::vector<std::map<int, TubeSums>> blocks{};
+  std::uint64_t rays = 0;  // traced so far
 
   // More cells make these sums better: there are some, or small polygons go on uncut.
   bool sampled(const TubeSums& of) const {
     return !of.coarse.empty() || ((kind == PartKind::flat || kind == PartKind::solid) && !of.pieces.empty());
   }
-
-  // The blocks on grids of this density.
-  std::vector<std::size_t> blocks_at(double per_wavelength) const {
-    std::vector<std::size_t> found;
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-      if (blocks[i].per_wavelength == per_wavelength) found.push_back(i);
-    return found;
-  }
 };
 
-TubeSums total(const std::vector<LookPart>& parts) {
+using Rungs = std::vector<int>;  // [block]
+
+// Rows that ask for the same grids. Each asks by itself, so that none depends on which others are computed.
+struct RowGroup {
+  std::vector<Rungs> rungs;  // [part]
+  std::vector<std::size_t> rows;
+};
+
+// A total's errors are those of its parts added up.
+TubeSums total(const std::vector<TubeSums>& parts) {
   TubeSums sums;
-  for (const LookPart& part : parts) {
-    sums.add(part.sums);
-    sums.error.resize(part.sums.error.size());
+  for (const TubeSums& part : parts) {
+    sums.add(part);
+    sums.error.resize(part.error.size());
     for (std::size_t f = 0; f < sums.error.size(); ++f)
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.sums.error[f][p][q];
+        for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.error[f][p][q];
   }
   return sums;
 }
@@ -83,7 +86,7 @@ class LookTracer {
         look_(look),
         transmit_(spherical_basis(look.transmit)),
         receive_(spherical_basis(look.receive)),
-        wavelength_(wavelength(std::ranges::max(frequencies))),
+        wavelength_(wavelength(options.refines() ? sampling_frequency(frequencies) : std::ranges::max(frequencies))),
         tolerance_(relative_tolerance(options.tolerance_db)),
         options_(options),
         work_(work) {
@@ -100,77 +103,79 @@ class LookTracer {
     return parts;
   }
 
-  // All of a part, for the first time.
-  void trace(LookPart& part, double share, CurrentMap* map) const {
+  // Divides a part, and traces all of it for the first time.
+  void begin(LookPart& part, double share, CurrentMap* map) const {
     const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, first_density(options_), options_.up);
     if (grid.cells() > 0)
       part.division = divide(part.kind, tube_look(grid, {scene_.materials, wavenumbers_, 0}, nullptr, nullptr));
-    const double density = density_to_begin_with(part.division);
-    part.blocks.assign(part.division.blocks, PartBlock{density});
-    trace(part, part.blocks_at(density), density, share, map);
+    part.first_density = density_to_begin_with(part.division);
+    part.blocks.resize(part.division.blocks);
+    trace(part, Rungs(part.division.blocks), share, map);
   }
 
-  // The whole part once more, now with a map.
-  void fill(CurrentMap& map, LookPart& part) const {
-    std::set<double> densities;
-    for (const PartBlock& block : part.blocks) densities.insert(block.per_wavelength);
-    for (const double density : densities) trace(part, part.blocks_at(density), density, 0.0, &map);
-  }
-
-  // Fills the sums of these blocks.
-  void trace(LookPart& part, const std::vector<std::size_t>& blocks, double density, double share, CurrentMap* map) const {
-    const LaunchGrid grid = grid_of_look(mesh(), look_, wavelength_, density, options_.up);
-    std::vector<TubeSums> traced = sums_of(part, blocks, grid, share, map);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-      PartBlock& block = part.blocks[blocks[i]];
-      traced[i].rays += block.sums.rays;
-      block = {density, std::move(traced[i])};
-      block.sums.error = numerical_error(block.sums, grid, wavenumbers_, mesh().radius);
+  // Every block on its rung, unless it is known there.
+  void trace(LookPart& part, const Rungs& rungs, double share, CurrentMap* map) const {
+    for (const auto& [rung, blocks] : by_rung(part, rungs, map != nullptr)) {
+      const LaunchGrid grid = grid_of(part, rung);
+      std::vector<TubeSums> traced = sums_of(part, blocks, grid, share, map);
+      for (std::size_t i = 0; i < blocks.size(); ++i) {
+        traced[i].error = numerical_error(traced[i], grid, wavenumbers_, mesh().radius);
+        if (!part.blocks[blocks[i]].contains(rung)) part.rays += traced[i].rays;
+        part.blocks[blocks[i]].insert_or_assign(rung, std::move(traced[i]));
+      }
     }
-    add_up(part, grid);
   }
 
-  // What errors of a look may be: more than the tolerance says only if that is exceeded.
-  PermittedErrors permitted(const TubeSums& sums) const {
-    PermittedErrors errors{tolerance_, {}};
-    if (work_.permits && excess_of(sums, sums, errors) > 1.0) errors.in_any_case = work_.permits(sums);
-    return errors;
+  RowGroup all_rows(std::span<const LookPart> parts) const {
+    RowGroup group;
+    for (const LookPart& part : parts) group.rungs.emplace_back(part.division.blocks);
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) group.rows.push_back(f);
+    return group;
   }
 
-  // Traces those blocks again, more densely, whose share of the error is too large. False if the whole is not, or if none can be
-  // made better.
-  bool refine(std::vector<LookPart>& parts, const TubeSums& sums) const {
-    const PermittedErrors errors_permitted = permitted(sums);
-    if (!(excess_of(sums, sums, errors_permitted) > 1.0)) return false;
-    bool any = false;
-    const double most = densest();
-    for (LookPart& part : parts) {
-      const auto too_large = [&](const TubeSums& of) {
-        return excess_of(of, sums, errors_permitted) * static_cast<double>(parts.size());
-      };
-      const double whole = too_large(part.sums);
-      if (whole <= 1.0 || !part.sampled(part.sums)) continue;
-      std::vector<BlockError> errors;
-      for (const PartBlock& block : part.blocks)
-        errors.push_back({part.sampled(block.sums) ? too_large(block.sums) : 0.0, block.per_wavelength < most});
-      const auto [blocks, growth] = refinement(errors, whole, part.division.polygons ? order_of_polygons : order_of_cells);
-      if (blocks.empty()) continue;
-      double density = 0.0;
-      for (const std::size_t i : blocks) density = std::max(density, part.blocks[i].per_wavelength);
-      trace(part, blocks, std::min(growth * density, most), 0.0, nullptr);
-      any = true;
+  // What all blocks of a part add up to on these grids.
+  TubeSums sums_at(const LookPart& part, const Rungs& rungs) const {
+    TubeSums sums;
+    for (std::size_t i = 0; i < rungs.size(); ++i) sums.add(part.blocks[i].at(rungs[i]));
+    sums.error = numerical_error(sums, grid_of(part, 0), wavenumbers_, mesh().radius);
+    return sums;
+  }
+
+  // Takes to `result` the rows of a group that are as good as they have to be, or as good as they can be made. Returns the others
+  // by what they ask for now: denser grids where a block's share of the error is too large.
+  std::vector<RowGroup> settle(const RowGroup& group, std::vector<LookPart>& parts, TubeSums& result) const {
+    std::vector<TubeSums> sums;
+    for (std::size_t i = 0; i < parts.size(); ++i) sums.push_back(sums_at(parts[i], group.rungs[i]));
+    TubeSums all = parts.size() == 1 ? sums.front() : total(sums);
+    std::vector<ChannelErrors> permitted(wavenumbers_.size());
+    const auto exceeds = [&](std::size_t row) { return excess_of(all, all, row, {}) > 1.0; };
+    if (options_.refines() && work_.permits && std::ranges::any_of(group.rows, exceeds)) permitted = work_.permits(all);
+    std::map<std::vector<Rungs>, std::vector<std::size_t>> asking;
+    for (const std::size_t row : group.rows) {
+      const auto too_large = [&](const TubeSums& of) { return excess_of(of, all, row, permitted[row]); };
+      std::vector<Rungs> rungs = group.rungs;
+      if (options_.refines() && too_large(all) > 1.0)
+        for (std::size_t i = 0; i < parts.size(); ++i)
+          climb(parts[i], sums[i], static_cast<double>(parts.size()), too_large, rungs[i]);
+      asking[std::move(rungs)].push_back(row);
     }
-    return any;
+    std::vector<RowGroup> groups;
+    for (auto& [rungs, rows] : asking)
+      if (rungs == group.rungs)
+        settle_at(rungs, rows, std::move(all), parts, result);
+      else
+        groups.push_back({rungs, std::move(rows)});
+    return groups;
   }
+
+ private:
+  const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
   // Of conductors alone the number of bounces belongs to the model.
   TubeSums with_truncated_tubes(TubeSums sums) const {
     if (!scene_.materials.empty()) add_truncated_tubes(sums);
     return sums;
   }
-
- private:
-  const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
   // Of waves that have never been inside of a solid.
   std::vector<LookPart> outside_parts() const {
@@ -206,27 +211,60 @@ class LookTracer {
     return all;
   }
 
-  // How many times the errors of a part of all sums are what those may have.
-  double excess_of(const TubeSums& part, const TubeSums& all, const PermittedErrors& errors) const {
-    return excess(all, part.error, errors, look_.transmit == look_.receive);
+  // How many times the error of a part of all sums is at a row what that row may have.
+  double excess_of(const TubeSums& part, const TubeSums& all, std::size_t row, const ChannelErrors& permitted) const {
+    return excess(all.total(row), part.error[row], look_.transmit == look_.receive, tolerance_, permitted);
+  }
+
+  // With a map its currents are those of its row.
+  void settle_at(const std::vector<Rungs>& rungs, const std::vector<std::size_t>& rows, TubeSums sums,
+                 std::vector<LookPart>& parts, TubeSums& result) const {
+    result.take(with_truncated_tubes(std::move(sums)), rows);
+    if (!work_.map || !options_.refines() || !std::ranges::binary_search(rows, work_.map->frequency_index())) return;
+    for (std::size_t i = 0; i < parts.size(); ++i) trace(parts[i], rungs[i], 0.0, work_.map);
+  }
+
+  // Blocks of a part whose share of a row's error is too large climb by as many rungs as they need.
+  template <class Excess>
+  void climb(const LookPart& part, const TubeSums& sums, double parts, Excess too_large, Rungs& rungs) const {
+    const double whole = too_large(sums) * parts, most = densest();
+    if (whole <= 1.0 || !part.sampled(sums)) return;
+    std::vector<BlockError> errors;
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+      const TubeSums& block = part.blocks[i].at(rungs[i]);
+      errors.push_back({part.sampled(block) ? too_large(block) * parts : 0.0, density_on(rungs[i], part.first_density) < most});
+    }
+    const auto [blocks, growth] = refinement(errors, whole, part.division.polygons ? order_of_polygons : order_of_cells);
+    int rung = 0;
+    for (const std::size_t i : blocks) rung = std::max(rung, rungs[i]);
+    for (const double wanted = growth * density_on(rung, part.first_density);
+         density_on(rung, part.first_density) < std::min(wanted, most);)
+      ++rung;
+    for (const std::size_t i : blocks) rungs[i] = rung;
+  }
+
+  // The blocks by rung; without those that are known there, unless a map is to have them.
+  static std::map<int, std::vector<std::size_t>> by_rung(const LookPart& part, const Rungs& rungs, bool known_too) {
+    std::map<int, std::vector<std::size_t>> blocks;
+    for (std::size_t i = 0; i < rungs.size(); ++i)
+      if (known_too || !part.blocks[i].contains(rungs[i])) blocks[rungs[i]].push_back(i);
+    return blocks;
   }
 
   // Of cells the usual one; the few narrow tubes among polygons cost little, so they begin where they may do.
   double density_to_begin_with(const Division& division) const {
     const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
     if (!options_.refines() || !division.polygons || fixed) return first_density(options_);
-    const double for_tolerance = density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons);
-    return std::min({for_tolerance, work_.permits ? density_beside_a_model : for_tolerance, densest()});
+    return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons), densest());
+  }
+
+  LaunchGrid grid_of(const LookPart& part, int rung) const {
+    const double density = density_on(rung, part.first_density);
+    return grid_of_look(mesh(), look_, wavelength_, rung == 0 ? density : std::min(density, densest()), options_.up);
   }
 
   double densest() const {
     return std::min(options_.max_per_wavelength, finest_grid * densest_grid(mesh(), look_, wavelength_, options_.up));
-  }
-
-  void add_up(LookPart& part, const LaunchGrid& grid) const {
-    part.sums = {};
-    for (const PartBlock& block : part.blocks) part.sums.add(block.sums);
-    part.sums.error = numerical_error(part.sums, grid, wavenumbers_, mesh().radius);
   }
 
   TubeLook tube_look(const LaunchGrid& grid, const SpectralSurfaces& surfaces, const SphericalLook* spherical,
@@ -261,6 +299,16 @@ class LookTracer {
   std::optional<LineOfSightSheets> sheets_;
 };
 
+// What no group asks for any more: blocks never come down.
+void drop_passed(std::vector<LookPart>& parts, const std::vector<RowGroup>& open) {
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (std::size_t i = 0; i < parts[p].blocks.size() && !open.empty(); ++i) {
+      std::map<int, TubeSums>& block = parts[p].blocks[i];
+      const auto rung_of = [&](const RowGroup& group) { return group.rungs[p][i]; };
+      block.erase(block.begin(), block.lower_bound(std::ranges::min(open | std::views::transform(rung_of))));
+    }
+}
+
 }  // namespace
 
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
@@ -268,14 +316,19 @@ TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<cons
   const LookTracer tracer(scene, look, frequencies, options, work);
   std::vector<LookPart> parts = tracer.parts();
   CurrentMap* const first_map = options.refines() ? nullptr : work.map;
-  for (LookPart& part : parts) tracer.trace(part, work.share / static_cast<double>(parts.size()), first_map);
-  if (!options.refines()) return tracer.with_truncated_tubes(parts.size() == 1 ? std::move(parts.front().sums) : total(parts));
-  // Each part is sampled more finely until the whole is as good as it has to be.
-  TubeSums sums = total(parts);
-  while (tracer.refine(parts, sums)) sums = total(parts);
-  if (work.map)
-    for (LookPart& part : parts) tracer.fill(*work.map, part);
-  return tracer.with_truncated_tubes(std::move(sums));
+  for (LookPart& part : parts) tracer.begin(part, work.share / static_cast<double>(parts.size()), first_map);
+  TubeSums sums;
+  std::vector<RowGroup> open{tracer.all_rows(parts)};
+  while (!open.empty()) {
+    const RowGroup group = std::move(open.back());
+    open.pop_back();
+    for (std::size_t i = 0; i < parts.size(); ++i) tracer.trace(parts[i], group.rungs[i], 0.0, nullptr);
+    std::ranges::move(tracer.settle(group, parts, sums), std::back_inserter(open));
+    drop_passed(parts, open);
+  }
+  sums.rays = 0;
+  for (const LookPart& part : parts) sums.rays += part.rays;
+  return sums;
 }
 
 double first_density(const TubeOptions& options) {
@@ -290,7 +343,7 @@ double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
 
 // Of those that are refined both the old ones and the new.
 double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
-  return 2.0 * std::min(static_cast<double>(tiles) * tile_sum_bytes(bounces, frequencies), bytes_of_blocks);
+  return 2.0 * static_cast<double>(std::min(tiles, most_blocks)) * tile_sum_bytes(bounces, frequencies);
 }
 
 // Beams of two bounces: most_tubes before a meeting, and after it twice as many, or more where facets divide them.

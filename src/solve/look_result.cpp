@@ -14,7 +14,7 @@ namespace {
 template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
   auto& [tubes, others, met, truncated] = look;
-  archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.error), archive(tubes.hits);
+  archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.inside), archive(tubes.error), archive(tubes.hits);
   archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated), archive(tubes.first_lost);
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area);
   archive(met), archive(truncated);
@@ -30,7 +30,7 @@ bool has_frequencies(const LookResult& look, std::size_t count) {
   const auto all = [count](const auto& list) { return list.size() == count; };
   const auto ran_none_or_all = [&](const MechanismRun& run) { return none_or_all(run.ran); };
   return std::ranges::all_of(look.tubes.bounces, all) && all(look.tubes.error) && none_or_all(look.tubes.incoherent) &&
-         std::ranges::all_of(look.others.s.of, none_or_all) && none_or_all(look.others.error) &&
+         none_or_all(look.tubes.inside) && std::ranges::all_of(look.others.s.of, none_or_all) && none_or_all(look.others.error) &&
          none_or_all(look.others.left_out) && none_or_all(look.others.windowed) &&
          std::ranges::all_of(look.others.runs, ran_none_or_all);
 }
@@ -57,8 +57,9 @@ void put_tubes(const BandScatter& scatter, TubeSums part, std::size_t frequencie
   for (std::size_t b = 0; b < part.bounces.size(); ++b)
     scatter(std::move(part.bounces[b]), all.at(static_cast<int>(b), frequencies)), all.hits[b] += part.hits[b];
   scatter(std::move(part.incoherent), all.incoherent);
+  scatter(std::move(part.inside), all.inside);
   scatter(std::move(part.error), all.error);
-  part.bounces.clear(), part.incoherent.clear(), part.error.clear();
+  part.bounces.clear(), part.incoherent.clear(), part.inside.clear(), part.error.clear();
   part.coarse.clear(), part.pieces.clear(), part.quadrature.clear();
   add_look(all.truncated, std::exchange(part.truncated, {}));
   all.add(part);

@@ -7,6 +7,7 @@
 #include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
 #include "solve/mechanisms/edge_currents.h"
+#include "solve/scheduler.h"
 
 namespace raytube {
 
@@ -39,10 +40,7 @@ ScatteringMechanism mechanism_of(MechanismId id) {
 }  // namespace
 
 BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
-    : scene_(plan, plan.bands[band]),
-      band_(band),
-      model_(model),
-      scheduler_(plan.bands[band].frequencies, plan.tubes.tolerance_db) {
+    : scene_(plan, plan.bands[band]), band_(band), model_(model) {
   for (const MechanismEntry& entry : mechanism_list()) mechanisms_[static_cast<std::size_t>(entry.id)] = entry.make(scene_);
   if (plan.rays())
     ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,
@@ -119,7 +117,7 @@ void BandSolver::run(MechanismId id, const TracedLook& look, LookSink& sink) con
   const std::unique_ptr<Mechanism>& mechanism = mechanisms_[static_cast<std::size_t>(id)];
   if (!mechanism) return;
   const Prospect prospect = mechanism->prospect(look, sink.sums);
-  const Decision decision = scheduler_.decide(prospect, look.tubes);
+  const Decision decision = decide(prospect, look.tubes, scene_.band.frequencies.size(), scene_.plan.tubes.tolerance_db);
   MechanismRun& told = sink.sums.run(id);
   told.most_db = decision.most_db;
   if (prospect.reach < least_reach) told.reach = prospect.reach;

@@ -12,7 +12,6 @@
 #include "solve/look_result.h"
 #include "solve/mechanisms/list.h"
 #include "solve/model_uncertainty.h"
-#include "solve/scheduler.h"
 #include "utd/gtd/ray_fields.h"
 
 namespace raytube {
@@ -55,7 +54,6 @@ class BandSolver {
   std::size_t band_;
   const ModelUncertainty& model_;
   std::array<std::unique_ptr<Mechanism>, mechanism_count> mechanisms_;  // [MechanismId]; null: not there
-  Scheduler scheduler_;
   std::optional<RayFields> ray_fields_;
 };
 

@@ -63,7 +63,9 @@ double refined_bytes(const SolvePlan& plan) {
   const Target& target = plan.target;
   const std::size_t tiles =
       tiles_of_look(target.tracer, target.faces, plan.sweep.looks.front(), plan.sweep.frequencies, plan.tubes, has_sheets(plan));
-  return block_sum_bytes(tiles, plan.max_bounces(), plan.sweep.frequencies.size());
+  std::size_t frequencies = 0;  // bands are solved one after the other
+  for (const BandPlan& band : plan.bands) frequencies = std::max(frequencies, band.frequencies.size());
+  return block_sum_bytes(tiles, plan.max_bounces(), frequencies);
 }
 
 // Groups of sums that a look may have at a time.

@@ -24,6 +24,12 @@ double edge_strength(const Material& material, std::size_t frequency, double wav
   return std::min(1.0, std::max(std::abs(response.reflected.te), std::abs(1.0 - response.transmitted.te)));
 }
 
+void add_inside(const TubeSums& tubes, std::size_t frequency, RowEvidence& row) {
+  if (tubes.inside.empty()) return;
+  row.inside = tubes.inside[frequency].s;
+  row.left_solids = tubes.inside[frequency].left;
+}
+
 }  // namespace
 
 ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
@@ -35,7 +41,7 @@ ModelUncertainty::ModelUncertainty(const SolvePlan& plan)
   std::map<std::tuple<std::size_t, double, double>, std::size_t> known;
   for (std::size_t f = 0; f < plan.sweep.frequencies.size(); ++f) {
     const double frequency = plan.sweep.frequencies[f], middle = middle_of_band(raytube::band_of(frequency));
-    penumbra_shares_.push_back(penumbra_share(curved_.faces, wavelength(frequency)));
+    penumbra_shares_.push_back(penumbra_shares(curved_.faces, wavelength(frequency), plan.sweep.materials));
     const std::size_t thin = count_thin(plan.thin_plate_edges, frequency);
     const auto [found, is_new] = known.try_emplace({thin, middle, plan.sweep.materials.empty() ? 0.0 : frequency}, edges_.size());
     if (is_new) find_edges(f, wavelength(middle));
@@ -88,7 +94,7 @@ RowEvidence ModelUncertainty::evidence_of_tubes(const Look& look, std::size_t fr
           .rim_dent = rim_dent_,
           .half_extent = plan_.target.mesh.radius,
           .bounces = bounces,
-          .penumbra_share = penumbra_shares_[frequency],
+          .penumbras = penumbra_shares_[frequency],
           .edge_order = plan_.fringe() ? plan_.edges.order : 0,
           .wavelength = wavelength(plan_.sweep.frequencies[frequency])};
 }
@@ -98,6 +104,7 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   bounces = result.tubes.bounces_at(frequency);
   RowEvidence row = evidence_of_tubes(look, frequency, bounces);
   row.met = result.met[body_of_[frequency]];
+  add_inside(result.tubes, frequency, row);
   const LookSums& others = result.others;
   const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
   row.edges = part(Part::edges_first), row.higher = part(Part::edges_higher), row.interaction = part(Part::interaction);
@@ -133,6 +140,7 @@ std::vector<ChannelErrors> ModelUncertainty::at_least(const Look& look, std::siz
     const std::vector<ScatteringMatrix> bounces = tubes.bounces_at(i);
     RowEvidence row = evidence_of_tubes(look, frequencies[i], bounces);
     row.met = tubes.met;
+    add_inside(tubes, i, row);
     row.has_surface_waves = waves, row.has_interaction = interaction;
     errors.push_back(root_sum_square(estimate_omissions(found[band_of_[frequencies[i]]], row)));
   }

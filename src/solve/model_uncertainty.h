@@ -45,10 +45,10 @@ class ModelUncertainty {
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
-  std::vector<std::size_t> band_of_;     // [frequency] in bands_
-  std::vector<double> penumbra_shares_;  // [frequency]
-  std::vector<std::size_t> body_of_;     // [frequency] in dents_
-  std::vector<FacetDents> dents_;        // of each band of the plan
+  std::vector<std::size_t> band_of_;             // [frequency] in bands_
+  std::vector<PenumbraShares> penumbra_shares_;  // [frequency]
+  std::vector<std::size_t> body_of_;             // [frequency] in dents_
+  std::vector<FacetDents> dents_;                // of each band of the plan
   double rim_dent_;
 };
 

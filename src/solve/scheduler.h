@@ -2,8 +2,7 @@
 // row to become truer. Decided by estimates and counted work alone.
 #pragma once
 
-#include <map>
-#include <span>
+#include <cstddef>
 #include <vector>
 
 #include "solve/mechanisms/mechanism.h"
@@ -18,22 +17,8 @@ struct Decision {
   bool any() const;
 };
 
-/// Decides for the looks of a band. Bands of scene/frequency_bands.h are decided by themselves: of many frequencies none has a
-/// say in what another one far away needs.
-class Scheduler {
- public:
-  /// `frequencies` [Hz] must outlive it.
-  Scheduler(std::span<const double> frequencies, double tolerance_db);
-
-  /// `prospect` against what tubes give in the look: an amplitude counts if it moves the weaker co-polar channel, in the mean
-  /// over a band, by more than Prospect::tolerances times the tolerance.
-  Decision decide(const Prospect& prospect, const TubeSums& tubes) const;
-
- private:
-  std::map<long, double> levels(const TubeSums& tubes) const;
-
-  std::span<const double> frequencies_;
-  double tolerance_;  // of an amplitude, relative
-};
+/// Decides row by row: an amplitude of `prospect` counts if it moves the weaker co-polar channel of what tubes give there by more
+/// than Prospect::tolerances times the tolerance. No row has a say in what another one needs.
+Decision decide(const Prospect& prospect, const TubeSums& tubes, std::size_t frequencies, double tolerance_db);
 
 }  // namespace raytube

@@ -22,6 +22,11 @@ inline constexpr double wave_error = 0.15;         // where waves run on: of tha
 inline constexpr double tight_wave_error = 1.0;    // and of tight bends, by which they are rough: by hand
 inline constexpr double rim_amplitude = 5.0;       // of sharply curved rims, over LookFeatures::rims: by hand, on the almond
 
+// Of waves that were inside of solids: of what rays give, and of what they would give evenly all around. Behind a curved surface
+// they meet caustics, and bodies of revolution send them back in a ring (glory), which geometrical optics leaves out. By Mie's
+// series, clear spheres of 3 to 10 wavelengths.
+inline constexpr double focused_share = 1.0, focused_amplitude = 2.0;
+
 // Chords of circles and ellipses of even and uneven chords (CoarseBodies): what a bent one is off, over a flat one and its
 // turning to the power of 3/2; 1.2 in the place of 0.31 covers surfaces of two curvatures and triangles of any shape.
 inline constexpr double bent_share = 1.2;

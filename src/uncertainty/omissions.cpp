@@ -21,6 +21,7 @@ constexpr std::array<OmissionText, omissions> texts = {{
     {"cavities", "waves that were reflected more than three times", "none; use a full-wave method for the cavity"},
     {"smooth_surfaces", "creeping and travelling waves, shadow boundaries on curved surfaces",
      "none; it decreases as k times radius grows"},
+    {"focusing", "waves inside of solids or shells, which focus where rays say little", "none; use a full-wave method"},
     {"facets", "flat facets in place of curved surfaces",
      "a finer mesh, or tubes.curved = \"always\", slow where curved surfaces face one another"},
     {"cut_tubes", "bounces after tubes.max_bounces, tubes too wide or too many", "a larger tubes.max_bounces"},
@@ -60,27 +61,43 @@ class RowEstimate {
   void set_channel(int p, int q) {
     const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
     at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_term * higher;
-    const double further =
-        row_.has_interaction ? next_term * typical(row_.interaction, p, q) : penumbras(1, interacting_bounces, p, q);
+    const double further = row_.has_interaction ? next_term * typical(row_.interaction, p, q)
+                                                : row_.penumbras.of_edges * reflected(1, interacting_bounces, p, q);
     at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
-    at(Omission::cavities)[p][q] = penumbras(interacting_bounces, row_.bounces.size(), p, q);
+    at(Omission::cavities)[p][q] = row_.penumbras.of_edges * reflected(interacting_bounces, row_.bounces.size(), p, q);
     const double boundary = row_.has_surface_waves ? wave_error : boundary_amplitude;
     const double tight = row_.has_surface_waves ? tight_wave_error : boundary_amplitude;
     at(Omission::smooth_surfaces)[p][q] =
-        std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims);
+        std::hypot(std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims),
+                   row_.penumbras.of_smooth * reflected(1, row_.bounces.size(), p, q));
+    at(Omission::focusing)[p][q] = focused(p, q);
     set_facets(p, q);
     set_small_target(p, q);
   }
 
-  // What edges take of the bounces first ... last - 1, or put in the place of them. Where no lobe of the reflected waves is seen
-  // their edges still are, which scatter evenly.
-  double penumbras(std::size_t first, std::size_t last, int p, int q) const {
+  // Of the bounces first ... last - 1, of which edges take a share or put it in the place of them. Where no lobe of the reflected
+  // waves is seen their edges still are, which scatter evenly.
+  double reflected(std::size_t first, std::size_t last, int p, int q) const {
     double squares = 0.0;
     for (std::size_t m = first; m < std::min(last, row_.bounces.size()); ++m) {
       const double evenly = m < row_.met.size() ? row_.met[m] / (4.0 * pi) : 0.0;
       squares += std::norm(row_.bounces[m].at(p, q)) + evenly;
     }
-    return row_.penumbra_share * std::sqrt(squares);
+    return std::sqrt(squares);
+  }
+
+  // Of closed shells of sheets all that meets a surface a second time was inside.
+  double focused(int p, int q) const {
+    double coherent = square(typical(row_.inside, p, q)), evenly = row_.left_solids;
+    if (row_.penumbras.shells > 0.0) {
+      ScatteringMatrix further;
+      double met = 0.0;
+      for (std::size_t m = 1; m < row_.bounces.size(); ++m) further += row_.bounces[m];
+      for (std::size_t m = 1; m < row_.met.size(); ++m) met += row_.met[m];
+      coherent += square(row_.penumbras.shells * typical(further, p, q));
+      evenly += square(row_.penumbras.shells) * met;
+    }
+    return std::hypot(focused_share * std::sqrt(coherent), focused_amplitude * std::sqrt(evenly / (4.0 * pi)));
   }
 
   void set_facets(int p, int q) {

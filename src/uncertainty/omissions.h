@@ -23,11 +23,12 @@ enum class Omission {
   interaction,      // edge-face interaction: further edges and reflections of a path, or all of it
   cavities,         // waves that were reflected often, as if every face were a mirror that is lit evenly
   smooth_surfaces,  // creeping and travelling waves, and what starts at shadow boundaries
+  focusing,         // waves that were inside of solids, or of shells of sheets, and meet where geometrical optics says little
   facets,           // flat facets that stand for curvature
   cut_tubes,        // bounces that were not followed
   small_target      // a target, or what there is of it, below a wavelength
 };
-inline constexpr std::size_t omissions = 9;
+inline constexpr std::size_t omissions = 10;
 
 /// How an omission is called in files, what it is, and what makes it less.
 struct OmissionText {
@@ -47,7 +48,9 @@ struct RowEvidence {
   double half_extent = 0.0;                     // half of the target's longest dimension [m]
   std::span<const ScatteringMatrix> bounces{};  // PO currents of bounce 1, 2, ... [m]
   std::span<const double> met{};                // TubeSums::met: power of the waves that met surfaces, by bounce [m^2]
-  double penumbra_share = 0.0;                  // of a wave that is reflected more than once: penumbra_share()
+  PenumbraShares penumbras{};                   // of a wave that is reflected more than once
+  ScatteringMatrix inside{};                    // of `bounces`: of waves that were inside of solids
+  double left_solids = 0.0;                     // their power as they leave: area times squared amplitude [m^2]
   ScatteringMatrix edges{}, higher{}, interaction{}, surface_waves{};
   bool has_interaction = false;    // edge-face interaction was computed
   bool has_surface_waves = false;  // waves over curved surfaces were computed

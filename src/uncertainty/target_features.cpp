@@ -166,41 +166,53 @@ double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
 }
 
-// Areas of the sets of triangles that patches and creases join.
-std::vector<double> face_areas(const TriangleMesh& mesh, std::span<const SmoothCrease> creases) {
+// Sets of triangles that patches and creases join. `ends` says of each patch whether it has an edge.
+std::vector<FaceExtent> face_extents(const TriangleMesh& mesh, std::span<const SmoothCrease> creases,
+                                     const std::vector<bool>& ends) {
   std::vector<std::uint32_t> parents(mesh.patches.size());
   std::iota(parents.begin(), parents.end(), 0u);
   for (const SmoothCrease& crease : creases) {
     const auto [first, second] = crease.triangles;
     parents[find_root(parents, mesh.triangle_patch[first])] = find_root(parents, mesh.triangle_patch[second]);
   }
-  std::vector<double> areas(mesh.patches.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    areas[find_root(parents, mesh.triangle_patch[t])] += triangle_area(mesh, t);
-  std::erase(areas, 0.0);
-  areas.shrink_to_fit();  // one for each facet of a curved surface went
-  return areas;
+  std::vector<FaceExtent> faces(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t patch = mesh.triangle_patch[t];
+    FaceExtent& face = faces[find_root(parents, patch)];
+    face.area += triangle_area(mesh, t);
+    face.ends = face.ends || ends[patch];
+    face.material = mesh.patches[patch].material;
+  }
+  std::erase_if(faces, [](const FaceExtent& face) { return face.area == 0.0; });
+  faces.shrink_to_fit();  // one for each facet of a curved surface went
+  return faces;
 }
 
 }  // namespace
 
-double penumbra_share(std::span<const double> faces, double wavelength) {
-  double all = 0.0, taken = 0.0;
-  for (const double area : faces) {
-    all += area;
-    taken += area * std::min(1.0, wavelength / std::sqrt(area));
+PenumbraShares penumbra_shares(std::span<const FaceExtent> faces, double wavelength, std::span<const Material> materials) {
+  double all = 0.0, edges = 0.0, smooth = 0.0, shells = 0.0;
+  for (const FaceExtent& face : faces) {
+    all += face.area;
+    if (!face.ends && face.material != no_index && !materials.empty() && materials[face.material].transmits())
+      shells += face.area;
+    (face.ends ? edges : smooth) += face.area * std::min(1.0, wavelength / std::sqrt(face.area));
   }
-  return all > 0.0 ? std::sqrt(taken / all) : 0.0;
+  if (all == 0.0) return {};
+  return {std::sqrt(edges / all), std::sqrt(smooth / all), std::sqrt(shells / all)};
 }
 
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) {
   CurvedParts parts;
   parts.patches.resize(mesh.patches.size());
+  std::vector<bool> ends(mesh.patches.size());
   const EdgeTable edges(mesh.triangles, mesh.vertices.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const double angle = crease_angle(mesh, edges[e]);
-    if (angle < flat_crease) continue;
-    if (angle >= min_wedge_angle && !mesh.is_bend(edges[e].low, edges[e].high)) continue;
+    const bool sharp = angle >= min_wedge_angle && !mesh.is_bend(edges[e].low, edges[e].high);
+    if (sharp || edges[e].sides.size() != 2)
+      for (const EdgeTable::Side& side : edges[e].sides) ends[mesh.triangle_patch[side.triangle]] = true;
+    if (sharp || angle < flat_crease) continue;
     const std::uint32_t a = edges[e].sides[0].triangle, b = edges[e].sides[1].triangle;
     const double along = glm::distance(mesh.vertices[edges[e].low], mesh.vertices[edges[e].high]);
     const double area = triangle_area(mesh, a) + triangle_area(mesh, b), step = area / along;  // mean width across the crease
@@ -211,7 +223,7 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
                              static_cast<float>(0.5 * area)});
     parts.patches[mesh.triangle_patch[a]] = parts.patches[mesh.triangle_patch[b]] = true;
   }
-  parts.faces = face_areas(mesh, parts.creases);
+  parts.faces = face_extents(mesh, parts.creases, ends);
   return parts;
 }
 

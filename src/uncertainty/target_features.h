@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/features/wedges.h"
+#include "scene/material.h"
 
 namespace raytube {
 
@@ -34,10 +35,17 @@ struct SmoothCrease {
   float area;            // half of the two facets [m^2]
 };
 
+/// A plane, or a curved surface as a whole.
+struct FaceExtent {
+  double area = 0.0;  // [m^2]
+  bool ends = false;  // at edges; a closed smooth surface has none
+  std::uint32_t material = no_index;
+};
+
 /// What of a target is curved.
 struct CurvedParts {
   std::vector<SmoothCrease> creases;
-  std::vector<double> faces;  // areas of what edges bound: of a plane, or a curved surface as a whole [m^2]
+  std::vector<FaceExtent> faces;
   std::vector<bool> patches;  // [patch] it is a facet of a curved surface
 };
 
@@ -57,11 +65,17 @@ struct EdgeCurrents {
   bool over_curved = false;                  // follow curved faces between conductors
 };
 
-/// The share of a wave reflected evenly by these faces that their edges take, or that waves of edges put in its place: the root
-/// mean square over their area of (wavelength / side)^{1/2}, 1 at most, which is what a Fresnel zone takes of a face beside its
-/// edges (Born & Wolf 1999, section 8.7: its width is that of wavelength times distance, the distance that of another such face).
-/// Many faces add up as squares, so their number plays no part.
-double penumbra_share(std::span<const double> faces, double wavelength);
+/// Shares of the amplitude of a wave.
+struct PenumbraShares {
+  double of_edges = 0.0, of_smooth = 0.0;
+  double shells = 0.0;  // what meets closed smooth surfaces that let waves through, all of it
+};
+
+/// The shares of a wave reflected evenly by these faces that their edges take, or that waves of edges put in its place, and that
+/// shadow boundaries of closed smooth surfaces do: the root mean square over their area of (wavelength / side)^{1/2}, 1 at most,
+/// which is what a Fresnel zone takes of a face beside its edges (Born & Wolf 1999, section 8.7: its width is that of wavelength
+/// times distance, the distance that of another such face). Many faces add up as squares, so their number plays no part.
+PenumbraShares penumbra_shares(std::span<const FaceExtent> faces, double wavelength, std::span<const Material> materials = {});
 
 /// Creases flatter than `min_wedge_angle` [rad] are curvature.
 CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle);

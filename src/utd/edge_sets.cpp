@@ -4,9 +4,12 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
+#include "scene/frequency_bands.h"
 #include "utd/fringe/near_edges.h"
+#include "utd/interaction/pair_price.h"
 #include "utd/wedge/near_look.h"
 
 namespace raytube {
@@ -43,6 +46,8 @@ EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
   return set;
 }
 
+bool EdgeSets::Set::has_few_pairs() const { return parts.axes.size() * parts.patches.size() <= few_pairs; }
+
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
   const std::vector<std::size_t> all_indices = std::exchange(indices, {});
   const std::vector<double> all_frequencies = std::exchange(frequencies, {});
@@ -53,10 +58,26 @@ void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
   }
 }
 
+// At frequencies of a set the same materials are mirrors.
+void EdgeSets::divide_by_mirrors() {
+  std::vector<Set> divided;
+  for (const Set& set : sets_) {
+    std::map<std::vector<bool>, std::vector<bool>> wanted;  // by which are mirrors
+    for (std::size_t i = 0; i < set.indices.size(); ++i) {
+      const FaceMaterials materials{setup_.materials, set.indices};
+      const std::vector<bool> mirrors = mirrors_among(materials, i, wavenumber(set.frequencies[i]));
+      wanted.try_emplace(mirrors, set.indices.size()).first->second[i] = true;
+    }
+    for (const auto& [mirrors, frequencies] : wanted) divided.emplace_back(set).keep(frequencies);
+  }
+  sets_ = std::move(divided);
+}
+
 // Currents run on as images over right-angled corners where edges illuminate other faces, and only there: such frequencies are a
 // set of their own.
 void EdgeSets::prepare_interaction() {
   const TriangleMesh& mesh = setup_.tracer.mesh();
+  divide_by_mirrors();
   std::vector<Set> without;
   for (Set& set : sets_) {
     std::vector<bool> wanted(set.indices.size(), true), illuminating(set.indices.size());
@@ -74,8 +95,11 @@ void EdgeSets::prepare_interaction() {
     set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
     for (const InteractionGroup& group : set.interaction) {
       set.reach.push_back(reach_of(set.parts, group));
+      set.price.push_back(0.0);
       std::vector<std::size_t>& indices = set.group_indices.emplace_back();
       for (const std::size_t i : group.indices) indices.push_back(set.indices[i]);
+      if (!set.has_few_pairs())
+        set.price.back() = price_of_pair(interaction_scene(set, group), wavenumber(sampling_frequency(group.frequencies)));
     }
   }
   std::ranges::move(without, std::back_inserter(sets_));
@@ -125,7 +149,7 @@ std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtE
 
 FringeOptions EdgeSets::options(const Set& set) const {
   FringeOptions options = setup_.fringe;
-  options.continue_by_images = !screens_ && !set.interaction.empty();
+  options.continue_by_images = !set.interaction.empty();
   return options;
 }
 
@@ -178,7 +202,7 @@ std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const Radar& r
     std::optional<NearLook> near;
     if (!look.far()) {
       antennas.emplace(look, radar, mesh.center);
-      near.emplace(near_antennas(*antennas), wavenumber(std::ranges::max(set.frequencies)), mesh.radius);
+      near.emplace(near_antennas(*antennas), wavenumber(sampling_frequency(set.frequencies)), mesh.radius);
     }
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
@@ -224,44 +248,40 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
                              parts.corners,
                              {},
                              std::span(parts.by_area).first(group.large_faces),
+                             std::span(parts.areas).first(group.large_faces),
                              {setup_.materials, set.group_indices[number]}};
-  return {{*set.wedges, *set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches, &set.reach[number]};
+  return {{*set.wedges, *set.outlines, setup_.tracer},
+          faces,
+          parts.axes,
+          group.shortest_axis,
+          parts.patches,
+          &set.reach[number],
+          set.price[number]};
 }
 
-// `share` of the work allowed, for a group of frequencies.
-InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits, double share) const {
-  const bool few = set.parts.axes.size() * set.parts.patches.size() <= few_pairs;
-  const double work = few ? std::numeric_limits<double>::infinity() : limits.work * share;
-  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.least_reach, limits.antennas};
+InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits) const {
+  const double work = set.has_few_pairs() ? std::numeric_limits<double>::infinity() : limits.work;
+  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.antennas};
 }
 
-std::size_t EdgeSets::interacting_frequencies() const {
-  std::size_t count = 0;
-  for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction) count += group.indices.size();
-  return count;
-}
-
-double EdgeSets::interaction_reach(const InteractionLimits& limits) const {
-  double most = 0.0;
-  const auto frequencies = static_cast<double>(interacting_frequencies());
+std::vector<double> EdgeSets::interaction_reach(const InteractionLimits& limits) const {
+  std::vector<double> reach(setup_.frequencies.size(), 0.0);
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
-      const double share = static_cast<double>(group.indices.size()) / frequencies;
-      most = std::max(most, reach_of(interaction_scene(set, group), interaction_options(set, limits, share)));
+      const double of_group = reach_of(interaction_scene(set, group), interaction_options(set, limits));
+      for (const std::size_t i : group.indices) reach[set.indices[i]] = of_group;
     }
-  return most;
+  return reach;
 }
 
 InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
-  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
-      const double share = static_cast<double>(group.indices.size()) / frequencies;
-      put(set, group,
-          interaction_scattering(interaction_scene(set, group), look, group.frequencies, interaction_options(set, limits, share)),
-          all);
+      const InteractionScene scene = interaction_scene(set, group);
+      const InteractionOptions options = interaction_options(set, limits);
+      if (reach_of(scene, options) >= limits.least_reach)
+        put(set, group, interaction_scattering(scene, look, group.frequencies, options), all);
     }
   return all;
 }
@@ -270,7 +290,6 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
   all.work += part.work;
   all.pairs += part.pairs;
   all.skipped += part.skipped;
-  all.unreached = all.unreached || part.unreached;
   if (part.scattering.empty()) return;
   all.scattering.resize(setup_.frequencies.size());
   all.error.resize(setup_.frequencies.size());
@@ -286,14 +305,14 @@ void EdgeSets::put(const Set& set, const InteractionGroup& group, const Interact
 
 std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_t frequency_index,
                                                     const InteractionLimits& limits, bool by_path) const {
-  const auto frequencies = static_cast<double>(interacting_frequencies());
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
-        const double share = static_cast<double>(group.indices.size()) / frequencies;
-        return raytube::interaction_pieces(interaction_scene(set, group), look, group.frequencies, i,
-                                           interaction_options(set, limits, share), by_path);
+        const InteractionScene scene = interaction_scene(set, group);
+        const InteractionOptions options = interaction_options(set, limits);
+        if (reach_of(scene, options) < limits.least_reach) return {};
+        return raytube::interaction_pieces(scene, look, group.frequencies, i, options, by_path);
       }
   return {};
 }

@@ -38,9 +38,9 @@ struct WavesAtEdges {
 /// What edge-face interaction of one look may leave and take.
 struct InteractionLimits {
   double tolerance;                        // of its quadrature [m]
-  double work;                             // counted (core/work.h); bodies of few parts are computed whole
-  double least_reach = 0.0;                // InteractionOptions::least_reach
-  const NearAntennas* antennas = nullptr;  // the same
+  double work;                             // counted (core/work.h), at one frequency; bodies of few parts are computed whole
+  const NearAntennas* antennas = nullptr;  // of InteractionOptions
+  double least_reach = 0.0;                // groups of frequencies of which it reaches less are left out
 };
 
 /// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.
@@ -78,8 +78,8 @@ class EdgeSets {
   /// At which frequencies there is any.
   std::vector<bool> interacting() const;
 
-  /// Share of the squares expected of it that the work allowed reaches, of the frequencies at which that is most.
-  double interaction_reach(const InteractionLimits& limits) const;
+  /// Share of the squares expected of it that the work allowed reaches, at each frequency; 0 where there is none.
+  std::vector<double> interaction_reach(const InteractionLimits& limits) const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
   std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits,
@@ -96,14 +96,18 @@ class EdgeSets {
     std::vector<InteractionGroup> interaction;              // its indices are those of the set's frequencies
     InteractionParts parts;                                 // empty where there is no interaction
     std::vector<PairReach> reach;                           // of each group
+    std::vector<double> price;                              // of a pair, of each group
     std::vector<std::vector<std::size_t>> group_indices{};  // of each group, in the list of all frequencies
 
+    // All of them are computed.
+    bool has_few_pairs() const;
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
   bool radiates(const Wedge& wedge) const;
   Set set_of(const WedgeSet& wedges) const;
   void prepare_interaction();
+  void divide_by_mirrors();
   /// Frequencies of a set at which strips run over curved faces, or do not.
   struct SetPart {
     const Set& set;
@@ -117,8 +121,7 @@ class EdgeSets {
   EdgeScene scene(const Set& set, bool over_curved) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
-  InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits, double share) const;
-  std::size_t interacting_frequencies() const;
+  InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits) const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
   static void put(const std::vector<std::size_t>& indices, const EdgeLookResult& part, EdgeLookResult& all);
 

@@ -1,5 +1,6 @@
 // What stands in front of a face, and what does not.
 #include "mesh/features/convexity.h"
+#include "mesh/read/coordinate_step.h"
 #include "mesh_shapes.h"
 
 namespace raytube {
@@ -20,6 +21,16 @@ TEST(Convexity, ConvexBodiesHaveNeitherReflectionNorShadow) {
       EXPECT_TRUE(found.no_reflection);
       EXPECT_TRUE(found.no_shadow);
     }
+}
+
+// A sphere in a binary STL file a metre off its origin: facets rise above one another by the rounding, and by no more.
+TEST(Convexity, RoundingIsNoHollow) {
+  PolygonSoup soup = shapes::in_single_precision(shapes::moved(shapes::sphere(40), shapes::skew_rotation(), {30.0, -10.0, 20.0}));
+  EXPECT_FALSE(convexity(soup).no_reflection);
+  soup.step = coordinate_step(soup.points, 0);
+  EXPECT_TRUE(convexity(soup).no_reflection);
+  soup.points[100] *= 0.9999;  // of a point thirty away: a dent of 3e-3
+  EXPECT_FALSE(convexity(soup).no_reflection);
 }
 
 TEST(Convexity, PlatesDoNotReflectOnThemselves) {

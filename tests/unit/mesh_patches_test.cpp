@@ -1,6 +1,9 @@
 #include <algorithm>
 
+#include "mesh/features/convexity.h"
+#include "mesh/model/faces.h"
 #include "mesh/model/geometry.h"
+#include "mesh/read/coordinate_step.h"
 #include "mesh/repair/patches.h"
 #include "unit/mesh_shapes.h"
 
@@ -18,6 +21,25 @@ TEST(MeshPatches, SinglePrecisionFacesStayWhole) {
     ASSERT_EQ(wedges.size(), 12u);
     for (const Wedge& wedge : wedges) EXPECT_NEAR(wedge.n, 1.5, 3e-7);  // rounding of the file over the size of a face
   }
+}
+
+// Rounded coordinates, told as such, are put back on the planes of faces: what meets at right angles lies in one another, and a
+// face is one polygon however it is cut.
+TEST(MeshPatches, RoundedFacesArePlane) {
+  const PolygonSoup exact = moved(remeshed(box(dvec3(0.0), dvec3(0.09)), 4, 4), skew_rotation(), dvec3(0.7, -0.6, 0.5));
+  PolygonSoup rounded = in_single_precision(exact);
+  rounded.step = coordinate_step(rounded.points, 0);
+  const TriangleMesh mesh = build(rounded).mesh, before = build(exact).mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Patch& plane = mesh.patches[mesh.triangle_patch[t]];
+    for (const std::uint32_t v : mesh.triangles[t])
+      EXPECT_LE(std::abs(glm::dot(plane.normal, mesh.vertices[v]) - plane.offset), 4e-16 * mesh.radius);
+  }
+  EXPECT_EQ(find_faces(mesh).faces.size(), 6u);
+  EXPECT_TRUE(find_convexity(mesh).no_shadow);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)  // three roundings of half a step each way, and the plane's own
+    EXPECT_LE(glm::distance(mesh.vertices[v] + mesh.center, before.vertices[v] + before.center), 2.0 * mesh.coordinate_step);
+  EXPECT_GT(find_faces(build(in_single_precision(exact)).mesh).faces.size(), 6u);  // of a file that says nothing of rounding
 }
 
 TEST(MeshPatches, CurvedSurfacesAreNotFlattened) {

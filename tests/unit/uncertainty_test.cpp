@@ -129,13 +129,25 @@ TEST(Uncertainty, PartsComeFromTheirOwnEvidence) {
   std::vector<ScatteringMatrix> bounces(2);
   bounces[1].at(1, 1) = 9.0;
   row.bounces = bounces;
-  row.penumbra_share = 0.5;
+  row.penumbras.of_edges = 0.5;
   EXPECT_NEAR(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 4.5, 1e-15);
   const std::vector<double> met{100.0, 4.0 * pi * 12.0 * 12.0};  // sigma of what scatters evenly, S = 12
   row.met = met;
   EXPECT_NEAR(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 0.5 * 15.0, 1e-14);
   row.has_interaction = true;
   EXPECT_EQ(at(estimate_omissions(look, row), Omission::interaction, 1, 1), 0.0);
+
+  // Closed smooth surfaces have shadow boundaries in the place of edges.
+  EXPECT_EQ(at(estimate_omissions(look, row), Omission::smooth_surfaces, 1, 1), 0.0);
+  row.penumbras.of_smooth = 0.2;
+  EXPECT_NEAR(at(estimate_omissions(look, row), Omission::smooth_surfaces, 1, 1), 0.2 * 15.0, 1e-14);
+
+  row.inside.at(0, 0) = 3.0;
+  row.left_solids = 4.0 * pi * 4.0;  // S = 2 evenly all around
+  EXPECT_NEAR(at(estimate_omissions(look, row), Omission::focusing), 5.0, 1e-14);
+  // All that meets a surface a second time was inside of shells: S = 9, and 12 evenly, of a half of the power.
+  row.inside = {}, row.left_solids = 0.0, row.penumbras.shells = std::sqrt(0.5);
+  EXPECT_NEAR(at(estimate_omissions(look, row), Omission::focusing, 1, 1), std::sqrt(0.5 * (81.0 + 4.0 * 144.0)), 1e-13);
 
   const OmissionErrors all = estimate_omissions(look, row);
   double squares = 0.0;
@@ -146,19 +158,27 @@ TEST(Uncertainty, PartsComeFromTheirOwnEvidence) {
 TEST(Uncertainty, FacesEndAtEdgesAndNotAtCreases) {
   const Found cube(shapes::cube(3.0)), sphere(shapes::icosphere(4, 2.0)), cylinder(shapes::cylinder(1.0, 3.0, 48));
   ASSERT_EQ(cube.curved.faces.size(), 6u);
-  for (const double area : cube.curved.faces) EXPECT_NEAR(area, 9.0, 1e-12);
+  for (const FaceExtent& face : cube.curved.faces) EXPECT_NEAR(face.area, 9.0, 1e-12);
   ASSERT_EQ(sphere.curved.faces.size(), 1u);
-  EXPECT_NEAR(sphere.curved.faces[0], 16.0 * pi, 0.005 * 16.0 * pi);  // chords of icosphere(4): 0.2 % less
+  EXPECT_NEAR(sphere.curved.faces[0].area, 16.0 * pi, 0.005 * 16.0 * pi);  // chords of icosphere(4): 0.2 % less
   EXPECT_EQ(cylinder.curved.faces.size(), 3u);
+  EXPECT_TRUE(std::ranges::all_of(cube.curved.faces, &FaceExtent::ends));
+  EXPECT_TRUE(std::ranges::all_of(cylinder.curved.faces, &FaceExtent::ends));
+  EXPECT_FALSE(sphere.curved.faces[0].ends);
 }
 
 TEST(Uncertainty, PenumbrasOfManyFacesAddUpAsSquares) {
-  const std::vector<double> one{16.0}, many(50, 16.0), small{0.5}, mixed{16.0, 16.0 / 81.0};
-  EXPECT_NEAR(penumbra_share(one, 1.0), 0.5, 1e-15);   // (1/4)^{1/2}
-  EXPECT_NEAR(penumbra_share(many, 1.0), 0.5, 1e-14);  // of sqrt(50) times the field of one
-  EXPECT_EQ(penumbra_share(small, 1.0), 1.0);
-  EXPECT_EQ(penumbra_share({}, 1.0), 0.0);
-  EXPECT_NEAR(penumbra_share(mixed, 1.0), std::sqrt((0.25 + 1.0 / 81.0) / (1.0 + 1.0 / 81.0)), 1e-15);
+  using Faces = std::vector<FaceExtent>;
+  const auto of_edges = [](const Faces& faces) { return penumbra_shares(faces, 1.0).of_edges; };
+  const FaceExtent face{16.0, true};
+  EXPECT_NEAR(of_edges({face}), 0.5, 1e-15);           // (1/4)^{1/2}
+  EXPECT_NEAR(of_edges(Faces(50, face)), 0.5, 1e-14);  // of sqrt(50) times the field of one
+  EXPECT_EQ(of_edges({{0.5, true}}), 1.0);
+  EXPECT_EQ(of_edges({}), 0.0);
+  EXPECT_NEAR(of_edges({face, {16.0 / 81.0, true}}), std::sqrt((0.25 + 1.0 / 81.0) / (1.0 + 1.0 / 81.0)), 1e-15);
+  const PenumbraShares beside_sphere = penumbra_shares(Faces{face, {16.0, false}}, 1.0);
+  EXPECT_NEAR(beside_sphere.of_edges, std::sqrt(0.125), 1e-15);
+  EXPECT_NEAR(beside_sphere.of_smooth, std::sqrt(0.125), 1e-15);
 }
 
 TEST(Uncertainty, TotalIsTheSumOfAllMechanisms) {

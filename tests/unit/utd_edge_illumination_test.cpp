@@ -138,7 +138,7 @@ class Setting {
     const double wavenumbers[] = {k};
     const std::vector<bool> all(scene_.mesh.patches.size(), true);
     const std::size_t indices[] = {0};
-    EdgeIllumination illumination({tree, all, {}, {}, {}, {materials_, indices}}, look, wavenumbers, source, reflections);
+    EdgeIllumination illumination({tree, all, {}, {}, {}, {}, {materials_, indices}}, look, wavenumbers, source, reflections);
     const std::vector<double> cuts = this->cuts();
     std::vector<ScatteringMatrix> density;
     ScatteringMatrix sum;

@@ -99,7 +99,10 @@ struct Ball {
 
   std::vector<BoundaryPiece> boundary(const Look& look, double widest) const {
     const SmoothSurfaces smooth(loaded.mesh, 15 * degree, 0.1);
-    return shadow_boundary(CurvedTarget(target.tracer, smooth, true), look_vectors(look), widest, 0.3);
+    std::vector<BoundaryPiece> pieces;
+    for (const BoundaryLine& line : shadow_boundary(CurvedTarget(target.tracer, smooth, true), look_vectors(look), widest, 0.3))
+      for (const BoundaryPiece& piece : line.pieces()) pieces.push_back(piece);
+    return pieces;
   }
   dvec3 place(const FacetPoint& p) const {
     const Triangle& t = loaded.mesh.triangles[p.triangle];

@@ -131,7 +131,7 @@ TEST(FiniteRangeWaves, TendToTheFarField) {
           const double range = scene.range(times, 10e9);
           const SweepResult s = scene.solve(10e9, near_look(look.transmit, look.receive, range, range));
           const double off = frobenius_norm(s.parts[part][0] - limit.parts[part][0]) / frobenius_norm(limit.total[0]);
-          EXPECT_LE(off, before);
+          EXPECT_LE(off, std::max(before, 5e-4));  // of parts this small, waves from nearby may be alike by chance
           before = off;
         }
         EXPECT_LT(before, 1.5e-4);  // 1e-4 and what steps of strips add, which are not the same from there: less with finer ones

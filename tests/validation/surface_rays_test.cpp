@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include "run.h"
+#include "scene/frequency_bands.h"
 #include "scratch.h"
 #include "shapes.h"
 #include "smooth_bodies.h"
@@ -49,12 +50,14 @@ TEST(SurfaceRays, RunRoundASphere) {
       EXPECT_NEAR(point.width, std::abs(std::cos(point.arc_length / radius)), 0.03);
     }
   }
-  // A circle of 4 pi wavelengths in strips of a quarter of one at most, 50.3, and one more for each of its six stretches.
-  EXPECT_GE(dark, 51);
-  EXPECT_LE(dark, 57);
+  // A circle of 4 pi wavelengths in strips of a quarter of the band's shortest wavelength at most, and one more for each of its
+  // six stretches.
+  const double strips = 16 * pi * sampled_band(speed_of_light).highest / speed_of_light;
+  EXPECT_GE(dark, strips);
+  EXPECT_LE(dark, strips + 7);
 }
 
-// The steps of strips are those of a sweep's highest frequency, and finer ones change little: on the axis of a lens with a rim of
+// The steps of strips are those of the top of a band, and finer ones change little: on the axis of a lens with a rim of
 // k rho 0.44, whose strips all add up, 0.5 % of S (1.8 % where steps reached from the rim out over the flank).
 TEST(SurfaceRays, StepsDoNotMatter) {
   const double a = 0.075, rho = 0.006, join = 70 * degree, flank = (a - rho + rho * std::cos(join)) / std::cos(join);
@@ -130,8 +133,9 @@ TEST(SurfaceRays, AreWrittenAsLines) {
   for (const char* name : {"kind", "order"}) EXPECT_EQ(vtk_numbers(text, name).size(), ends.size()) << name;
   const std::vector<double> lengths = vtk_numbers(text, "arc_length");
   EXPECT_EQ(lengths.front(), 0.0);
-  // Until xi = 10: s = 10 a / m, of a sphere of 10 wavelengths; what a step may lack.
-  EXPECT_NEAR(std::ranges::max(lengths), 100.0 / std::cbrt(10 * pi), 0.5);
+  // Until xi = 10 at the lowest frequency of the band: s = 10 a / m, of a sphere of 10 wavelengths; what a step may lack.
+  const double m = std::cbrt(10 * pi * sampled_band(3e9).lowest / 3e9);
+  EXPECT_NEAR(std::ranges::max(lengths), 100.0 / m, 0.5);
 }
 
 }  // namespace

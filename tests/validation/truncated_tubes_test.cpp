@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "material_scene.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -132,7 +133,8 @@ TEST(TruncatedTubes, TubesWiderThanTheirMiddleSaysAreCountedByThemselves) {
   tubes.curved = CurvedSurfaces::always;
   tubes.max_per_wavelength = tubes.per_wavelength;
   const TruncatedSums sums = truncated(shapes::joined(ball, above), {deg(85.0, 0.0), deg(85.0, 0.0)}, tubes);
-  const double cells = static_cast<double>(sums[Truncation::width].tubes) * std::pow(lambda / tubes.per_wavelength, 2);
+  const double cell = wavelength(sampled_band(frequency).middle) / tubes.per_wavelength;
+  const double cells = static_cast<double>(sums[Truncation::width].tubes) * cell * cell;
   EXPECT_GT(sums[Truncation::width].tubes, 0u);
   // A whole number of cells fills the rectangle: they are no larger than asked for, and hardly smaller.
   EXPECT_LE(sums[Truncation::width].sigma, cells * (1.0 + 1e-9));

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mesh/model/edge_table.h"
+#include "mesh/model/geometry.h"
 
 namespace raytube {
 
@@ -11,9 +12,14 @@ namespace {
 
 // Bounds the time that corners shared by very many facets could take.
 constexpr std::uint64_t most_comparisons = 100'000'000;
+constexpr double rounding_steps = 4.0;
+constexpr double most_reach = 100.0;  // of slivers
 
-// What rises less above a plane is not met by a ray that leaves it: see ExactHit::ahead.
-double rounding(const TriangleMesh& mesh) { return 8.0 * std::numeric_limits<double>::epsilon() * mesh.radius; }
+// What rises less above a plane is not met by a ray that leaves it (ExactHit::ahead), or is no more than files leave of plane
+// faces (find_patches).
+double rounding(const TriangleMesh& mesh) {
+  return 8.0 * std::numeric_limits<double>::epsilon() * mesh.radius + rounding_steps * mesh.coordinate_step;
+}
 
 double height(const Patch& plane, const dvec3& at) { return glm::dot(plane.normal, at) - plane.offset; }
 
@@ -61,12 +67,25 @@ class ConvexBody {
     return comparisons_ <= most_comparisons && std::ranges::all_of(planes_, [&](std::uint32_t p) {
              const Patch& plane = mesh_.patches[p];
              if (std::abs(height(plane, mesh_.vertices[v])) > rounding_) return false;
+             const double allowed = rounding_ + (mesh_.coordinate_step > 0.0 ? rise_by_rounding(v, p) : 0.0);
              return std::ranges::all_of(around(v), [&](std::uint32_t t) {
                const auto& [a, b, c] = mesh_.triangles[t];
                return std::max({height(plane, mesh_.vertices[a]), height(plane, mesh_.vertices[b]),
-                                height(plane, mesh_.vertices[c])}) <= rounding_;
+                                height(plane, mesh_.vertices[c])}) <= allowed;
              });
            });
+  }
+
+  // By how much the rounding of its corners may turn a plane at a vertex, seen from the farthest corner there: as much as the
+  // highest of its facets there is lower than that is far.
+  double rise_by_rounding(std::uint32_t v, std::uint32_t plane) const {
+    double farthest = 0.0, highest = 0.0;
+    for (const std::uint32_t t : around(v)) {
+      for (const std::uint32_t w : mesh_.triangles[t])
+        farthest = std::max(farthest, glm::distance(mesh_.vertices[v], mesh_.vertices[w]));
+      if (mesh_.triangle_patch[t] == plane) highest = std::max(highest, raytube::height(mesh_.vertices, mesh_.triangles[t]));
+    }
+    return mesh_.coordinate_step * std::min(most_reach, farthest / highest);
   }
 
   // Seen from outside, the facets at a vertex go round it once: neither do they overlap nor do two tips touch there.

@@ -37,6 +37,7 @@ JoinedMesh join_meshes(std::span<const TriangleMesh> parts) {
     append(parts[i], parts[i].center - mesh.center, mesh);
     joined.triangle_part.resize(mesh.triangles.size(), static_cast<std::uint32_t>(i));
   }
+  for (const TriangleMesh& part : parts) mesh.coordinate_step = std::max(mesh.coordinate_step, part.coordinate_step);
   for (const dvec3& v : mesh.vertices) mesh.radius = std::max(mesh.radius, glm::length(v));
   return joined;
 }

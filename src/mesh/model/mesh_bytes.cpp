@@ -13,7 +13,7 @@ template <class Archive, class Mesh>
 void visit(Archive& archive, Mesh& mesh) {
   archive(mesh.vertices), archive(mesh.triangles), archive(mesh.triangle_patch), archive(mesh.triangle_component);
   archive(mesh.patches), archive(mesh.components), archive(mesh.triangle_part), archive(mesh.part_names);
-  archive(mesh.center), archive(mesh.radius);
+  archive(mesh.center), archive(mesh.radius), archive(mesh.coordinate_step);
 }
 
 }  // namespace

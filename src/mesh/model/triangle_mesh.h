@@ -55,6 +55,7 @@ struct TriangleMesh {
   std::vector<Bend> bends;                              // in order of (low, high); none until somebody looks (find_bends)
   dvec3 center{0.0};                                    // in the mesh's own coordinates [m]
   double radius = 0.0;                                  // largest distance of a vertex from `center`
+  double coordinate_step = 0.0;                         // by which its file rounds coordinates [m]
 
   /// Whether a triangle is part of a closed component.
   bool closed(std::uint32_t triangle) const { return components[triangle_component[triangle]].closed; }

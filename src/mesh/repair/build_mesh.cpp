@@ -184,14 +184,15 @@ LoadedMesh build_mesh(PolygonSoup soup, double metres_per_unit, const std::strin
   if (facets.triangles.empty()) reject_without_area(name);
 
   drop_unused_points(mesh.vertices, facets.triangles);
-  for (const dvec3& v : mesh.vertices) mesh.radius = std::max(mesh.radius, glm::length(v));
   Surfaces surfaces = orient(mesh.vertices, facets.triangles, report.weld_distance, report);
   mesh.triangle_component = std::move(surfaces.triangle_component);
   mesh.components = std::move(surfaces.components);
   open_penetrable_components(mesh, facets, materials, report);
   mesh.triangles = std::move(facets.triangles);
   mesh.triangle_part = std::move(facets.parts), mesh.part_names = std::move(soup.part_names);
+  mesh.coordinate_step = report.coordinate_step;
   find_patches(mesh, flat_fraction * diagonal, facets.materials);
+  for (const dvec3& v : mesh.vertices) mesh.radius = std::max(mesh.radius, glm::length(v));
   report_as_traced(mesh, report);
   return loaded;
 }

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double normal_tolerance = 3e-3;   // [rad]
 constexpr double far_nearer = 1e-3;         // times the distance: such a difference says where a sliver belongs
+constexpr double rounding_steps = 4.0;      // of coordinates, by which a vertex may be off a plane through rounded ones
+constexpr double farthest_steps = 12.0;     // that it is moved: farther only if planes meet nearly along it
+constexpr double exact = 1e-13;             // of the extent: nothing to mend
+constexpr double least_sine = 0.05;         // of a plane to others, that vertices are put on
 constexpr double sliver_uncertainty = 0.1;  // of the normal [rad], from which on a triangle's normal says nothing
 
 /// Compensated summation: a plain sum over a million triangles would tilt the plane by 1e-13.
@@ -84,6 +88,32 @@ class PatchFinder {
       if (mesh_.triangle_patch[seed] == no_index && !join_nearest(seed)) grow(seed);
   }
 
+  /// Puts vertices on the planes of their patches of several triangles, unless more than rounding parts them.
+  void flatten() {
+    if (mesh_.coordinate_step <= 0.0) return;
+    std::vector<std::uint32_t> counts(mesh_.patches.size());
+    std::vector<double> off(mesh_.patches.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const std::uint32_t patch = mesh_.triangle_patch[t];
+      ++counts[patch];
+      off[patch] = std::max(off[patch], distance_from(mesh_.patches[patch], mesh_.triangles[t]));
+    }
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> on;  // vertex, patch
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (const std::uint32_t p = mesh_.triangle_patch[t]; counts[p] > 1 && off[p] <= rounding_steps * mesh_.coordinate_step)
+        for (const std::uint32_t v : mesh_.triangles[t]) on.emplace_back(v, p);
+    std::ranges::sort(on);
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    const double extent = bounding_box(mesh_.vertices).diagonal();
+    for (std::size_t first = 0, last = 0; first < on.size(); first = last) {
+      while (last < on.size() && on[last].first == on[first].first) ++last;
+      put_on_planes(std::span(on).subspan(first, last - first), extent);
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (counts[mesh_.triangle_patch[t]] == 1 && height(mesh_.vertices, mesh_.triangles[t]) > 0.0)
+        mesh_.patches[mesh_.triangle_patch[t]] = plane_of(t);
+  }
+
   /// Cuts the patches where materials meet. The piece with a patch's first triangle takes its number, the others follow behind.
   void cut(std::span<const std::uint32_t> materials) {
     const std::vector<std::uint32_t> pieces = connected_pieces(materials);
@@ -116,6 +146,36 @@ class PatchFinder {
         parents[find_root(parents, next)] = find_root(parents, t);
       }
     return number_sets(std::move(parents));
+  }
+
+  /// To where these planes meet, three at most, in order of their largest triangles: to each of them along its normal without
+  /// leaving those before (Gram-Schmidt). A plane that is almost one of these is left alone.
+  void put_on_planes(std::span<const std::pair<std::uint32_t, std::uint32_t>> on, double extent) {
+    dvec3& vertex = mesh_.vertices[on[0].first];
+    const auto off = [&](const Patch& plane) { return glm::dot(plane.normal, vertex) - plane.offset; };
+    const auto is_off = [&](const auto& entry) { return std::abs(off(mesh_.patches[entry.second])) > exact * extent; };
+    if (std::ranges::none_of(on, is_off)) return;
+    const dvec3 as_read = vertex;
+    for (int round = 0; round < 2; ++round) {  // the second one mends rounding
+      std::array<dvec3, 3> before;
+      std::size_t count = 0;
+      for (const auto& [v, p] : on) {
+        dvec3 way = mesh_.patches[p].normal;
+        for (std::size_t i = 0; i < count; ++i) way -= glm::dot(way, before[i]) * before[i];
+        const double sine = glm::length(way);
+        if (count == 3 || sine < least_sine) continue;
+        before[count++] = way / sine;
+        vertex -= off(mesh_.patches[p]) / sine * before[count - 1];
+      }
+    }
+    if (glm::distance(vertex, as_read) > farthest_steps * mesh_.coordinate_step) vertex = as_read;
+  }
+
+  Patch plane_of(std::uint32_t triangle) const {
+    const auto& [a, b, c] = mesh_.triangles[triangle];
+    GrowingPlane plane;
+    plane.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+    return plane.plane();
   }
 
   std::uint32_t copy_of(std::uint32_t patch) {
@@ -242,10 +302,7 @@ class PatchFinder {
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t next = neighbour(triangle, k);
       if (next == no_index || is_sliver(next)) continue;
-      GrowingPlane other;
-      const auto& [a, b, c] = mesh_.triangles[next];
-      other.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
-      if (distance_from(other.plane(), mesh_.triangles[triangle]) < far_nearer * farthest) return true;
+      if (distance_from(plane_of(next), mesh_.triangles[triangle]) < far_nearer * farthest) return true;
     }
     return false;
   }
@@ -261,6 +318,7 @@ class PatchFinder {
 void find_patches(TriangleMesh& mesh, double distance, std::span<const std::uint32_t> materials) {
   PatchFinder finder(mesh, distance);
   finder.run();
+  finder.flatten();
   if (!materials.empty()) finder.cut(materials);
 }
 

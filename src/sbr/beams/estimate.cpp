@@ -91,18 +91,13 @@ void add_truncated_tubes(TubeSums& sums) {
       for (std::size_t q = 0; q < 2; ++q) sums.error[f][p][q] += truncated.error(f, p, q);
 }
 
-double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, const PermittedErrors& permitted, bool monostatic) {
-  double worst = 0.0;
-  for (std::size_t f = 0; f < errors.size(); ++f) {
-    ScatteringMatrix total = sums.total(f);
-    if (monostatic) {
-      total.at(0, 1) = total.at(1, 0) = 0.5 * (total.at(0, 1) + total.at(1, 0));
-      errors[f][0][1] = errors[f][1][0] = 0.5 * (errors[f][0][1] + errors[f][1][0]);
-    }
-    const ChannelErrors in_any_case = permitted.in_any_case.empty() ? ChannelErrors{} : permitted.in_any_case[f];
-    worst = std::max(worst, excess(total, errors[f], permitted.relative_tolerance, in_any_case));
+double excess(ScatteringMatrix total, ChannelErrors errors, bool monostatic, double relative_tolerance,
+              const ChannelErrors& permitted) {
+  if (monostatic) {
+    total.at(0, 1) = total.at(1, 0) = 0.5 * (total.at(0, 1) + total.at(1, 0));
+    errors[0][1] = errors[1][0] = 0.5 * (errors[0][1] + errors[1][0]);
   }
-  return worst;
+  return excess(total, errors, relative_tolerance, permitted);
 }
 
 }  // namespace raytube

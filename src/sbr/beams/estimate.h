@@ -18,13 +18,8 @@ std::vector<ChannelErrors> numerical_error(const TubeSums& sums, const LaunchGri
 /// magnitude.
 void add_truncated_tubes(TubeSums& sums);
 
-/// What the errors of a look may be.
-struct PermittedErrors {
-  double relative_tolerance;               // of every channel: scene/tolerance.h
-  std::vector<ChannelErrors> in_any_case;  // [frequency] [m]; empty: none
-};
-
-/// The excess() of a look at its worst frequency. Of a monostatic one both cross-polar channels are their mean.
-double excess(const TubeSums& sums, std::vector<ChannelErrors> errors, const PermittedErrors& permitted, bool monostatic);
+/// The excess() of these errors [m] of a row with this sum. Of a monostatic one both cross-polar channels are their mean.
+double excess(ScatteringMatrix total, ChannelErrors errors, bool monostatic, double relative_tolerance,
+              const ChannelErrors& permitted);
 
 }  // namespace raytube

@@ -5,6 +5,7 @@
 
 #include "math/triangle_moments.h"
 #include "sbr/beams/tolerances.h"
+#include "scene/frequency_bands.h"
 #include "scene/material.h"
 
 namespace raytube {
@@ -40,14 +41,14 @@ SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, 
       incident_(incident),
       surfaces_(surfaces),
       wavenumbers_(surfaces.wavenumbers),
-      highest_(std::ranges::max(wavenumbers_)),
+      highest_(greatest_wavenumber(wavenumbers_)),
       most_bend_(bend_tolerance(relative_tolerance)) {}
 
 SphericalLook SphericalLook::at_frequency(std::size_t index) const {
   SphericalLook one = *this;
   one.surfaces_.first_frequency_index += index;
   one.surfaces_.wavenumbers = one.wavenumbers_ = wavenumbers_.subspan(index, 1);
-  one.highest_ = wavenumbers_[index];
+  one.highest_ = greatest_wavenumber(one.wavenumbers_);
   return one;
 }
 

@@ -46,14 +46,14 @@ const ChannelWeights& weight_of(const C& c, std::size_t f) {
 
 }  // namespace
 
-// As of perfect conductors, at the frequency where it is largest: coefficients turn with the angle as phases do.
+// As of perfect conductors, with the coefficients of the frequency where it is largest: these turn with the angle as phases do.
 double SphericalLook::bend_of(const SpectralTriangle& corners, const SpectralTriangle& middles) const {
   double most = 0.0;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     double largest = 0.0, squares = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const SpectralCurrent &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
-      const Complex turn = std::polar(1.0, -wavenumbers_[f] * (m.path - 0.5 * (a.path + b.path)));
+      const Complex turn = std::polar(1.0, -highest_ * (m.path - 0.5 * (a.path + b.path)));
       ChannelWeights off = weight_of(m, f);
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) off[p][q] = turn * off[p][q] - 0.5 * (weight_of(a, f)[p][q] + weight_of(b, f)[p][q]);

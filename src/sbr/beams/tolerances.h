@@ -20,10 +20,8 @@ inline double bend_tolerance(double relative_tolerance) { return std::sqrt(0.05 
 /// `bend`.
 inline double quadrature_error(double bend) { return bend * bend / 15.0; }
 
-/// Amplitude [m] that quadrature may leave of the diffraction between edges and faces, of a target that returns `strongest` [m]
-/// at the frequency where most comes back: a tenth of the tolerance.
-inline double interaction_quadrature_error(double relative_tolerance, double strongest) {
-  return 0.1 * relative_tolerance * strongest;
-}
+/// Amplitude [m] that quadrature may leave of the diffraction between edges and faces, of a target that returns `level` [m]: a
+/// twentieth of the tolerance. Quadratures of a frequency alone and of several stop at different errors: below 1e-6 of S then.
+inline double interaction_quadrature_error(double relative_tolerance, double level) { return 0.05 * relative_tolerance * level; }
 
 }  // namespace raytube

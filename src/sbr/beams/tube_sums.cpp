@@ -72,6 +72,11 @@ void TubeSums::add_incoherent(const Spectrum& spectrum, double area) {
     for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += area * spectrum[f].incoherent[q];
 }
 
+void TubeSums::add_inside(std::size_t frequency, std::size_t frequencies, const WavesInside& waves) {
+  inside.resize(frequencies);
+  inside[frequency] += waves;
+}
+
 void TubeSums::compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums) {
   coarse.assign(coarse_sums[0].size(), {});
   for (std::size_t f = 0; f < coarse.size(); ++f) {
@@ -95,6 +100,7 @@ void TubeSums::add(const TubeSums& other) {
   incoherent.resize(std::max(incoherent.size(), other.incoherent.size()));
   for (std::size_t f = 0; f < other.incoherent.size(); ++f)
     for (std::size_t q = 0; q < 2; ++q) incoherent[f][q] += other.incoherent[f][q];
+  for (std::size_t f = 0; f < other.inside.size(); ++f) add_at(inside, f, other.inside[f]);
   for (std::size_t b = 0; b < other.met.size(); ++b) add_at(met, b, other.met[b]);
   truncated += other.truncated;
   tubes += other.tubes;
@@ -105,6 +111,29 @@ void TubeSums::add(const TubeSums& other) {
   empty_cells += other.empty_cells;
   faces_away += other.faces_away;
   sliver_area += other.sliver_area;
+}
+
+void TubeSums::take(TubeSums other, std::span<const std::size_t> frequencies) {
+  if (error.empty()) {
+    *this = std::move(other);
+    return;
+  }
+  const auto take_rows = [&](auto& mine, auto& theirs, std::size_t all) {
+    if (all == 0) return;
+    mine.resize(all), theirs.resize(all);
+    for (const std::size_t f : frequencies) mine[f] = theirs[f];
+  };
+  bounces.resize(std::max(bounces.size(), other.bounces.size())), other.bounces.resize(bounces.size());
+  for (std::size_t b = 0; b < bounces.size(); ++b) take_rows(bounces[b], other.bounces[b], error.size());
+  take_rows(error, other.error, error.size());
+  take_rows(incoherent, other.incoherent, std::max(incoherent.size(), other.incoherent.size()));
+  take_rows(inside, other.inside, std::max(inside.size(), other.inside.size()));
+  if (other.tubes > tubes) {
+    std::swap(bounces, other.bounces), std::swap(error, other.error), std::swap(incoherent, other.incoherent);
+    std::swap(inside, other.inside);
+    std::swap(*this, other);
+  }
+  hits.resize(bounces.size());
 }
 
 void TubeSums::append(TubeSums further) {
@@ -121,7 +150,7 @@ void TubeSums::append(TubeSums further) {
     values.resize(before + more);
   };
   join(coarse, further.coarse), join(pieces, further.pieces), join(quadrature, further.quadrature);
-  join(incoherent, further.incoherent);
+  join(incoherent, further.incoherent), join(inside, further.inside);
   rays += further.rays;
   for (const Truncation reason : truncations) {
     TruncatedSum& sum = truncated[reason];

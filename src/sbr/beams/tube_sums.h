@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/field.h"
@@ -10,6 +11,19 @@
 #include "scene/results.h"
 
 namespace raytube {
+
+/// Waves that were inside of solids.
+struct WavesInside {
+  ScatteringMatrix s{};  // [m]
+  double left = 0.0;     // their power as they leave: area times squared amplitude [m^2]
+
+  /// Those of other tubes as well.
+  WavesInside& operator+=(const WavesInside& other) {
+    s += other.s;
+    left += other.left;
+    return *this;
+  }
+};
 
 /// Errors of parts, added up both ways: as amplitudes, and as if their phases were independent.
 struct ErrorSum {
@@ -36,6 +50,7 @@ struct TubeSums {
   std::vector<ErrorSum> pieces;                      // [frequency], of single tubes whose error is known; empty: there are none
   std::vector<ErrorSum> quadrature;                  // [frequency], of spherical waves: no grid changes it; empty: there are none
   std::vector<std::array<double, 2>> incoherent;     // [frequency][transmit] sigma of rough surfaces [m^2]; empty: there are none
+  std::vector<WavesInside> inside;                   // [frequency], part of `bounces`; empty: there are none
   std::vector<ChannelErrors> error;                  // [frequency], estimate for the whole look [m]; empty in its parts
   std::vector<std::uint64_t> hits;                   // [bounce]
   std::vector<double> met;                           // [bounce] area times squared amplitude of the waves that met surfaces [m^2]
@@ -64,11 +79,18 @@ struct TubeSums {
   /// What the currents of this wave scatter incoherently from so much area across it.
   void add_incoherent(const Spectrum& spectrum, double area);
 
+  /// Waves at one of so many frequencies that were inside of solids.
+  void add_inside(std::size_t frequency, std::size_t frequencies, const WavesInside& waves);
+
   /// Sets `coarse` from what the coarse grids, [grid][frequency], give for all that has been added up so far.
   void compare_with(const std::array<std::vector<ScatteringMatrix>, coarse_grids>& coarse_sums);
 
   /// Adds the sums and counts of other tubes; `error`, which belongs to a whole look, stays.
   void add(const TubeSums& other);
+
+  /// Takes these frequencies from the sums of other tubes of the same look, of all frequencies. Counts are those of the most
+  /// tubes.
+  void take(TubeSums other, std::span<const std::size_t> frequencies);
 
   /// Appends the sums of these tubes at further frequencies. Counts stay those of the first ones: weak waves end by what is left
   /// of them at any frequency traced together.

@@ -5,6 +5,7 @@
 
 #include "math/conic.h"
 #include "math/gauss.h"
+#include "scene/frequency_bands.h"
 #include "scene/material.h"
 
 namespace raytube {
@@ -175,7 +176,7 @@ void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t 
 
 void add_far_fields(std::vector<ScatteringMatrix>& sums, const CurvedFootprint& f, Band& band, const dvec2& size) {
   const double range = path_range(f, size);
-  const bool smooth = f.outgoing.spectrum.empty() && range * std::ranges::max(band.wavenumbers()) <= widest_quadrature_phase;
+  const bool smooth = f.outgoing.spectrum.empty() && range * sampling_wavenumber(band.wavenumbers()) <= widest_quadrature_phase;
   const ChebyshevNodes* nodes = smooth ? band.nodes(range) : nullptr;
   std::vector<Complex> samples;
   if (nodes)

@@ -1,13 +1,16 @@
 #include "sbr/curved/curved_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sbr/beams/current_map.h"
 #include "sbr/curved/curved_integral.h"
 #include "sbr/curved/through_sheets.h"
 #include "sbr/visible/beam_visibility.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -22,6 +25,9 @@ constexpr double widest_cell_phase = 60.0;
 constexpr double smallest_cell = 1.0 / 32.0, outline_cell = 16.0;
 // Share of a cell that facets may leave free, by rounding.
 constexpr double free_share = 1e-9;
+// What differs by less, of what is compared, is equal but for rounding: on bodies of some symmetry sides of facets run through
+// the middles of cells and of faces, and it must not be rounding that decides.
+constexpr double tie = 1e-9;
 
 ConvexPolygon rectangle(const Bounds& box) {
   ConvexPolygon polygon;
@@ -29,7 +35,9 @@ ConvexPolygon rectangle(const Bounds& box) {
   return polygon;
 }
 
-// The part [low, high] of the way from `a` to `b` that lies in the box; low > high: none.
+bool is_empty(const Range& range) { return range.low > range.high; }
+
+// The part [low, high] of the way from `a` to `b` that lies in the box.
 Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
   Range part{0.0, 1.0};
   for (int axis = 0; axis < 2; ++axis) {
@@ -67,9 +75,9 @@ bool FacingTriangle::contains(const dvec2& p) const {
   int positive = 0, negative = 0;
   for (int c = 0; c < 3; ++c) {
     const dvec2 side = at[(c + 1) % 3] - at[c], to = p - at[c];
-    const double turn = side.x * to.y - side.y * to.x;
-    positive += turn > 0.0;
-    negative += turn < 0.0;
+    const double turn = side.x * to.y - side.y * to.x, rounding = tie * glm::dot(side, side);
+    positive += turn > rounding;
+    negative += turn < -rounding;
   }
   return positive == 0 || negative == 0;
 }
@@ -85,7 +93,7 @@ class CellTrace {
         band_(look.wavenumbers()),
         light_{look.grid, look.transmit, look.receive, look.surfaces, &band_},
         map_light_{look.grid, look.transmit, look.receive, look.surfaces},
-        highest_(std::ranges::max(look.wavenumbers())),
+        highest_(sampling_wavenumber(look.wavenumbers())),
         smallest_(smallest_cell * 2.0 * pi / highest_),
         visible_(look.faces, look.tracer),
         elsewhere_(looks_from_elsewhere(look)) {
@@ -123,7 +131,7 @@ class CellTrace {
       return add(*piece, box, triangle_at);
     }
     const bool splits = verdict == Verdict::bent && !within_dents;
-    if (smallest || (!splits && triangles.size() <= few)) return facets(box);
+    if (smallest || (!splits && triangles.size() <= few)) return facets(box, triangles);
     split(box, triangles);
   }
 
@@ -158,7 +166,7 @@ class CellTrace {
     const double size = glm::length(box.high - box.low);
     const bool smallest = size < smallest_, covered = is_covered(box, triangles);
     if (!covered && (smallest || size < outline_cell * rise(triangles))) return add_on_outline(piece, box, triangles);
-    if (smallest || (covered && triangles.size() <= few)) return facets(box);
+    if (smallest || (covered && triangles.size() <= few)) return facets(box, triangles);
     split(box, triangles);
   }
 
@@ -206,14 +214,14 @@ class CellTrace {
       const FacingTriangle& f = facing_[t];
       if (f.region == no_index || !f.contains(at)) continue;
       const double depth = facet_depth(f)(at);
-      if (depth < nearest) base = &f, nearest = depth;
+      if (depth < nearest - tie * look_.faces.mesh().radius) base = &f, nearest = depth;
     }
     if (!base) {
       double largest = 0.0;
       for (const std::uint32_t t : triangles) {
         const FacingTriangle& f = facing_[t];
         if (f.region == no_index || area(common(f.bounds(), box)) <= largest || !clip(f, box)) continue;
-        if (const double size = area(clipped_); size > largest) base = &f, largest = size, at = middle(clipped_);
+        if (const double size = area(clipped_); size > (1.0 + tie) * largest) base = &f, largest = size, at = middle(clipped_);
       }
     }
     if (!base) return {};
@@ -250,12 +258,11 @@ class CellTrace {
     }
     // Beside the piece they are lit.
     if (others && !is_covered(box, triangles)) return Verdict::above_limit;
-    for (const std::uint32_t t : triangles) {
-      const FacingTriangle& f = facing_[t];
-      if (f.region != base_->region) continue;
-      if (const Verdict verdict = judge_sides(f, piece, box); verdict != Verdict::one_piece) return verdict;
-    }
-    return Verdict::one_piece;
+    const auto of_piece = [&](std::uint32_t t) { return facing_[t].region == base_->region; };
+    if (std::ranges::any_of(triangles, [&](std::uint32_t t) { return of_piece(t) && ends_within(facing_[t], box); }))
+      return Verdict::above_limit;
+    const auto leaves_piece = [&](std::uint32_t t) { return of_piece(t) && !lies_on(facing_[t], piece, box); };
+    return std::ranges::any_of(triangles, leaves_piece) ? Verdict::bent : Verdict::one_piece;
   }
 
   double farthest_depth(const CurvedPiece& piece, const Bounds& box) const {
@@ -270,16 +277,22 @@ class CellTrace {
     return range(common(f.bounds(), box), depth).low < farthest && clip(f, box) && range(clipped_, depth).low < farthest;
   }
 
-  // The surface's sides within the box must lie on the piece, and none may be where the surface ends.
-  Verdict judge_sides(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) {
+  // Whether the surface ends at a side of the facet in the box.
+  bool ends_within(const FacingTriangle& f, const Bounds& box) const {
+    for (int c = 0; c < 3; ++c)
+      if (look_.smooth->on_boundary(f.triangle, c) && !is_empty(part_within(box, f.at[c], f.at[(c + 1) % 3]))) return true;
+    return false;
+  }
+
+  // Whether the surface's sides within the box lie on the piece.
+  bool lies_on(const FacingTriangle& f, const CurvedPiece& piece, const Bounds& box) {
     const TriangleMesh& mesh = look_.faces.mesh();
     double most_bend = 0.0;
     for (int c = 0; c < 3; ++c) {
       const dvec3 bend = look_.smooth->bend(f.triangle, c);
       most_bend = std::max(most_bend, glm::length(bend));
       const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
-      if (part.low > part.high) continue;
-      if (look_.smooth->on_boundary(f.triangle, c)) return Verdict::above_limit;
+      if (is_empty(part)) continue;
       const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
                   along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start;
       for (const double x : {part.low, part.high})
@@ -289,7 +302,7 @@ class CellTrace {
     const dvec2 middle = 0.5 * (box.low + box.high);
     const bool on_piece = !f.contains(middle) || piece.distance(above(middle) + facet_depth(f)(middle) * look_.grid.direction) <
                                                      0.5 * most_bend + look_.phase_tolerance / (2.0 * highest_);
-    return on_piece && phase_off_ < look_.phase_tolerance ? Verdict::one_piece : Verdict::bent;
+    return on_piece && phase_off_ < look_.phase_tolerance;
   }
 
   // The facet of the piece's own surface at a point of the cell.
@@ -297,6 +310,16 @@ class CellTrace {
     const auto holds = [&](std::uint32_t t) { return facing_[t].region == base_->region && facing_[t].contains(at); };
     const auto found = std::ranges::find_if(triangles, holds);
     return found == triangles.end() ? base_->triangle : facing_[*found].triangle;
+  }
+
+  // The facet there of the face that `other` is a facet of, too.
+  std::uint32_t facet_at(const dvec2& at, std::uint32_t other, std::span<const std::uint32_t> triangles) const {
+    const std::vector<std::uint32_t>& patch_of = look_.faces.mesh().triangle_patch;
+    const auto holds = [&](std::uint32_t t) {
+      return patch_of[facing_[t].triangle] == patch_of[other] && facing_[t].contains(at);
+    };
+    const auto found = std::ranges::find_if(triangles, holds);
+    return found == triangles.end() ? other : facing_[*found].triangle;
   }
 
   // The part of a piece within a box or a polygon.
@@ -331,7 +354,7 @@ class CellTrace {
     }
   }
 
-  void facets(const Bounds& box) {
+  void facets(const Bounds& box, std::span<const std::uint32_t> triangles) {
     parts_.clear();
     phase_off_ = 0.0;
     visible_.within(incident_, rectangle(box), parts_);
@@ -339,8 +362,9 @@ class CellTrace {
       if (through_sheets_ && through_sheets_->is_sheet(look_.faces.faces()[part.face].triangle))
         through_sheets_->go_through(sums_, part);
       if (region(part.face) == no_index) continue;
-      const std::uint32_t facet = look_.faces.faces()[part.face].triangle;
-      add(piece_over(look_, middle(part.outline), facet), part.outline, [&](const dvec2&) { return facet; });
+      const dvec2 at = middle(part.outline);
+      const std::uint32_t facet = facet_at(at, look_.faces.faces()[part.face].triangle, triangles);
+      add(piece_over(look_, at, facet), part.outline, [&](const dvec2&) { return facet; });
       if (through_sheets_ && elsewhere_) through_sheets_->screen(sums_, part);
     }
   }
@@ -375,7 +399,24 @@ CurvedLook::CurvedLook(const TubeLook& look) : look_(look) {
     const Triangle& corners = mesh.triangles[t];
     facing_.push_back({t, look.smooth->region(t), {projected[corners[0]], projected[corners[1]], projected[corners[2]]}});
   }
+  sort_by_place();
   fill_blocks();
+}
+
+// Of facets that would do as well the first one counts, in whatever order the mesh lists them.
+void CurvedLook::sort_by_place() {
+  const TriangleMesh& mesh = look_.faces.mesh();
+  const double step = tie * mesh.radius;
+  const auto place = [&](const FacingTriangle& f) {
+    const Triangle& corners = mesh.triangles[f.triangle];
+    const dvec3 sum = mesh.vertices[corners[0]] + mesh.vertices[corners[1]] + mesh.vertices[corners[2]];
+    const auto steps = [&](const dvec3& axis) { return std::llround(glm::dot(sum, axis) / step); };
+    return std::array{steps(look_.grid.u_hat), steps(look_.grid.v_hat), steps(look_.grid.direction)};
+  };
+  std::vector<std::pair<std::array<long long, 3>, FacingTriangle>> placed;
+  for (const FacingTriangle& f : facing_) placed.emplace_back(place(f), f);
+  std::ranges::stable_sort(placed, {}, [](const auto& entry) { return entry.first; });
+  for (std::size_t i = 0; i < placed.size(); ++i) facing_[i] = placed[i].second;
 }
 
 void CurvedLook::fill_blocks() {

@@ -47,6 +47,7 @@ class CurvedLook {
     Bounds box;
     std::vector<std::uint32_t> triangles;  // in facing_
   };
+  void sort_by_place();
   void fill_blocks();
 
   const TubeLook& look_;

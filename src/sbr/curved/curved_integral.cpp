@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/gauss.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -71,7 +72,7 @@ class ConductorMoments {
   ChordRule chords(const Bounds& box) {
     const Ranges ranges = this->ranges(box);
     expect_paths(ranges.low, ranges.high);
-    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * ranges.along;
+    const dvec2 phase = sampling_wavenumber(light_.surfaces.wavenumbers) * ranges.along;
     return {phase.x > phase.y ? 0 : 1, phase};
   }
 
@@ -158,7 +159,7 @@ class MaterialWeights {
   // its whole range, both ways.
   ChordRule chords(const Bounds& box) const {
     const Ranges ranges = ConductorMoments(light_, piece_).ranges(box);
-    const dvec2 phase = std::ranges::max(light_.surfaces.wavenumbers) * glm::max(dvec2(ranges.whole()), ranges.along);
+    const dvec2 phase = sampling_wavenumber(light_.surfaces.wavenumbers) * glm::max(dvec2(ranges.whole()), ranges.along);
     const CurvedPiece::Depth middle = piece_.depth(0.5 * (box.low + box.high));
     return {std::abs(middle.slope_u) > std::abs(middle.slope_v) ? 0 : 1, phase};
   }
@@ -260,7 +261,7 @@ std::vector<ScatteringMatrix> integrate(Accumulator sums, const Illumination& li
     high = std::max(high, path);
   }
   sums.expect_paths(low, high);
-  const auto rule = gauss_rule(points_for(std::ranges::max(light.surfaces.wavenumbers) * (high - low)) - 1);
+  const auto rule = gauss_rule(points_for(sampling_wavenumber(light.surfaces.wavenumbers) * (high - low)) - 1);
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     const dvec2 a = polygon[i - 1].at - polygon[0].at, b = polygon[i].at - polygon[0].at;
     const double twice_area = a.x * b.y - a.y * b.x;

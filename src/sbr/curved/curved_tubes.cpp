@@ -9,6 +9,7 @@
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/curved/curved_beam.h"
 #include "sbr/visible/line_of_sight.h"
+#include "scene/frequency_bands.h"
 #include "scene/material.h"
 
 namespace raytube {
@@ -173,7 +174,7 @@ class CurvedTubes {
 
   // Beyond some wavelengths the derivatives at a tube's middle say little about its sides.
   bool is_too_wide(const CurvedFootprint& f) const {
-    const double limit = most_width * 2.0 * pi / std::ranges::max(look_.wavenumbers());
+    const double limit = most_width * 2.0 * pi / sampling_wavenumber(look_.wavenumbers());
     return glm::length(f.outgoing.along_u) * look_.grid.du > limit || glm::length(f.outgoing.along_v) * look_.grid.dv > limit;
   }
 
@@ -292,7 +293,7 @@ class Block {
 }  // namespace
 
 CurvedBounces::CurvedBounces(const TubeLook& look) : look_(look) {
-  const double half_wavelength = pi / std::ranges::max(look.wavenumbers());
+  const double half_wavelength = pi / sampling_wavenumber(look.wavenumbers());
   stride_ = std::max(1u, static_cast<std::uint32_t>(half_wavelength / std::max(look.grid.du, look.grid.dv)));
   const std::uint32_t side = probes_across * stride_;
   across_ = (look.grid.columns + side - 1) / side;

@@ -39,7 +39,8 @@ void SolidCurrents::add_leaving(const TubePiece& piece, const Rays& rays, const 
                                 int bounce) {
   std::array<ChannelWeights, 3> weights;
   for (std::size_t i = 0; i < 3; ++i) weights[i] = radiated(-hits[i].normal, rays[i].ray.direction, rays[i].field, look_.receive);
-  add(piece, hits, weights, spreading, bounce);
+  const double amplitude = raytube::amplitude(rays[0], lowest_);
+  add(piece, hits, weights, spreading, bounce, piece.area() * amplitude * amplitude);
 }
 
 void SolidCurrents::add_meeting(const TubePiece& piece, const Hits& hits, const Complex& spreading, int bounce) {
@@ -50,11 +51,11 @@ void SolidCurrents::add_meeting(const TubePiece& piece, const Hits& hits, const 
     if (const std::optional<SolidRay> ray = waves_.reflected(hit))
       weights[i] = weights[i] + radiated(hit.normal, ray->ray.direction, ray->field, look_.receive);
   }
-  add(piece, hits, weights, spreading, bounce);
+  add(piece, hits, weights, spreading, bounce, 0.0);
 }
 
 void SolidCurrents::add(const TubePiece& piece, const Hits& hits, const std::array<ChannelWeights, 3>& weights,
-                        const Complex& spreading, int bounce) {
+                        const Complex& spreading, int bounce, double left) {
   const ChannelWeights sum = weights[0] + weights[1] + weights[2];
   const dvec3 side = hits[1].arriving.point - hits[0].arriving.point, other = hits[2].arriving.point - hits[0].arriving.point;
   const double area = 0.5 * glm::length(glm::cross(side, other)) / (piece.probe * piece.probe);
@@ -66,6 +67,7 @@ void SolidCurrents::add(const TubePiece& piece, const Hits& hits, const std::arr
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) s.at(p, q) = factor * sum[p][q];
     sums[f] += s;
+    sums_.add_inside(f, sums.size(), {s, left});
     count_error(piece, f, s);
     if (look_.map && look_.map->frequency_index() == f) add_to_map(piece, s, bounce);
   }

@@ -6,6 +6,7 @@
 #include "sbr/beams/tube_sums.h"
 #include "sbr/solid/solid_ray.h"
 #include "sbr/solid/tube_piece.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -28,7 +29,7 @@ class SolidCurrents {
       : look_(look),
         waves_(waves),
         frequencies_(frequencies),
-        lowest_(*std::min_element(look.wavenumbers().begin() + frequencies.begin, look.wavenumbers().begin() + frequencies.end)),
+        lowest_(least_wavenumber(look.wavenumbers().subspan(frequencies.begin, frequencies.end - frequencies.begin))),
         sums_(sums) {}
 
   /// The triangle that tubes meet first from now on.
@@ -40,8 +41,9 @@ class SolidCurrents {
   void add_meeting(const TubePiece& piece, const Hits& hits, const Complex& spreading, int bounce);
 
  private:
+  /// `left`: the power that leaves solids here [m^2].
   void add(const TubePiece& piece, const Hits& hits, const std::array<ChannelWeights, 3>& weights, const Complex& spreading,
-           int bounce);
+           int bounce, double left);
   Complex mean(const TubePiece& piece, const Hits& hits, double wavenumber) const;
   void count_error(const TubePiece& piece, std::size_t f, const ScatteringMatrix& s);
   void add_to_map(const TubePiece& piece, const ScatteringMatrix& s, int bounce) const;

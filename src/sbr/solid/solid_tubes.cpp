@@ -7,6 +7,7 @@
 #include "sbr/solid/solid_currents.h"
 #include "sbr/solid/solid_ray.h"
 #include "sbr/solid/tube_piece.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -96,8 +97,8 @@ class SolidTubes {
         waves_(look, frequencies.begin),
         currents_(look, waves_, frequencies, sums),
         frequencies_(frequencies),
-        lowest_(std::ranges::min(of_group(look.wavenumbers()))),
-        highest_(std::ranges::max(of_group(look.wavenumbers()))),
+        lowest_(least_wavenumber(of_group(look.wavenumbers()))),
+        highest_(sampling_wavenumber(of_group(look.wavenumbers()))),
         narrow_(std::max(look.grid.du, look.grid.dv)),
         sums_(sums) {}
 

@@ -1,13 +1,14 @@
 #include "solve/mechanisms/interaction.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "core/work.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
+#include "scene/frequency_bands.h"
 #include "utd/fringe/near_pieces.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
@@ -31,21 +32,31 @@ void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
   }
 }
 
-// Amplitude that quadrature may leave [m].
-double quadrature_tolerance(const SolvePlan& plan, const TubeSums& tubes) {
-  double strongest = 0.0;
-  for (std::size_t f = 0; !tubes.bounces.empty() && f < tubes.bounces[0].size(); ++f)
-    strongest = std::max(strongest, frobenius_norm(tubes.total(f)));
-  return interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), strongest);
+// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (core/work.h).
+constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
+
+// S of a body that scatters all round what its surface intercepts on average over all directions, a quarter of its area if it is
+// convex (Cauchy) [m]. It hangs on no row and no look.
+double isotropic_level(const TriangleMesh& mesh) {
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles)
+    area += 0.5 * glm::length(glm::cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+  return std::sqrt(area / 4.0 / (4.0 * pi));
 }
 
 class Interaction : public Mechanism {
  public:
-  Interaction(const BandScene& scene, std::vector<bool> frequencies) : scene_(scene), frequencies_(std::move(frequencies)) {}
+  Interaction(const BandScene& scene, std::vector<bool> frequencies)
+      : scene_(scene), frequencies_(std::move(frequencies)), limits_(interaction_limits(scene.plan)) {
+    if (scene.plan.edges.interaction.forced()) return;
+    const std::vector<double> reach = scene.edges.interaction_reach(limits_);
+    reach_ = std::ranges::max(reach);
+    for (std::size_t f = 0; f < reach.size(); ++f) frequencies_[f] = frequencies_[f] && reach[f] >= least_reach;
+  }
 
-  Prospect prospect(const TracedLook& traced, const LookSums& others) const override {
+  Prospect prospect(const TracedLook&, const LookSums&) const override {
     if (scene_.plan.edges.interaction.forced()) return {};
-    return {.reach = scene_.edges.interaction_reach(interaction_limits(scene_.plan, traced.tubes, edge_work(others)))};
+    return {.reach = reach_};
   }
 
   void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
@@ -58,7 +69,7 @@ class Interaction : public Mechanism {
  private:
   void solve(const TracedLook& traced, const NearAntennas* antennas, LookSink& sink) const {
     const Look& look = traced.look;
-    InteractionLimits limits = interaction_limits(scene_.plan, traced.tubes, edge_work(sink.sums));
+    InteractionLimits limits = limits_;
     limits.antennas = antennas;
     InteractionResult found = scene_.edges.interaction(look, limits);
     const bool refer = !look.far() && antennas == nullptr;
@@ -73,11 +84,8 @@ class Interaction : public Mechanism {
     }
   }
 
-  static double edge_work(const LookSums& others) { return others.run(MechanismId::edge_currents).work; }
-
   static void put(InteractionResult found, LookSums& sums) {
     sums.run(MechanismId::interaction).work = found.work;
-    if (found.unreached) sums.run(MechanismId::interaction).reach = 0.0;
     sums.s[Part::interaction] = std::move(found.scattering);
     sums.error = std::move(found.error);
     sums.left_out = std::move(found.left_out);
@@ -94,7 +102,7 @@ class Interaction : public Mechanism {
     if (look.far()) return std::nullopt;
     const TriangleMesh& mesh = scene_.plan.target.mesh;
     const AntennaPair pair(look, scene_.plan.sweep.radar, mesh.center);
-    const double k = wavenumber(std::ranges::max(scene_.band.frequencies));
+    const double k = wavenumber(sampling_frequency(scene_.band.frequencies));
     const auto plane = [&](const Antenna& antenna) { return bend_over_target(antenna, k, mesh.radius) < least_bend; };
     if (plane(pair.transmit) && plane(pair.receive)) return std::nullopt;
     return pair;
@@ -115,7 +123,9 @@ class Interaction : public Mechanism {
   }
 
   const BandScene& scene_;
-  std::vector<bool> frequencies_;  // at which there is any
+  std::vector<bool> frequencies_;  // at which there is any, and the budget reaches enough of it
+  InteractionLimits limits_;
+  double reach_ = 1.0;
 };
 
 }  // namespace
@@ -143,15 +153,14 @@ double interaction_look_bytes(const SolvePlan& plan) {
          wedges * sizeof(LitEdgePiece);
 }
 
-InteractionLimits interaction_limits(const SolvePlan& plan, const TubeSums& tubes, double edge_work) {
-  const auto frequencies = static_cast<double>(tubes.error.size());
-  const auto met = static_cast<double>(std::accumulate(tubes.hits.begin(), tubes.hits.end(), std::uint64_t{0}));
-  const double tube_work = work::tube * static_cast<double>(tubes.tubes) + work::tube_ray * static_cast<double>(tubes.rays) +
-                           work::tube_frequency * met * frequencies;
-  const double budget = plan.edges.interaction_budget;
-  const bool limited = budget < unlimited_interaction_budget;
-  return {quadrature_tolerance(plan, tubes), limited ? budget * (tube_work + edge_work) : std::numeric_limits<double>::infinity(),
-          plan.edges.interaction.forced() ? 0.0 : least_reach};
+InteractionLimits interaction_limits(const SolvePlan& plan) {
+  const Target& target = plan.target;
+  const auto edges = static_cast<double>(std::ranges::count_if(target.wedges, &Wedge::radiates));
+  const double budget = plan.edges.interaction_budget,
+               look = work_of_patch * static_cast<double>(target.mesh.patches.size()) + work_of_edge * edges;
+  return {interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), isotropic_level(target.mesh)),
+          budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity(),
+          nullptr, plan.edges.interaction.forced() ? 0.0 : least_reach};
 }
 
 }  // namespace raytube

@@ -13,7 +13,8 @@ std::unique_ptr<Mechanism> make_interaction(const BandScene& scene);
 double interaction_bytes(const SolvePlan& plan);
 double interaction_look_bytes(const SolvePlan& plan);
 
-/// What edge-face interaction may leave and take beside tubes and edges whose counted work is given (core/work.h).
-InteractionLimits interaction_limits(const SolvePlan& plan, const TubeSums& tubes, double edge_work);
+/// What edge-face interaction may leave and take in a look: the same in all of them, whatever the frequencies, of the counted
+/// work (core/work.h) that tubes and edges of such a target take.
+InteractionLimits interaction_limits(const SolvePlan& plan);
 
 }  // namespace raytube

@@ -21,6 +21,7 @@ namespace {
 // to a factor of two (docs/theory/surface_waves_accuracy.md). From so many wavelengths of edges on strips cost more than tubes
 // do, and must add the more to be worth it.
 constexpr double tolerances_of_sets = 1.5, dear_edges = 200.0;
+constexpr double close_antennas = 5.0 * degree;
 constexpr double ray_step = 0.1;  // of the wavelength, between points of rays for pictures
 
 // Points between the first and the last one are `step` apart at least.
@@ -58,17 +59,18 @@ class WavesOverSurfaces : public Mechanism {
     const Target& target = scene.plan.target;
     if (!scene.plan.surfaces.waves.forced())
       prospect_.emplace(target.mesh, target.wedges, target.options.min_wedge_angle,
-                        wavelength(std::ranges::min(scene.band.frequencies)), !is_convex());
+                        wavelength(least_frequency(scene.band.frequencies)), !is_convex());
   }
 
-  // Forward of grazing the estimate has lobes of its own: other looks than monostatic ones take them in any case.
+  // Forward of grazing the estimate has lobes of its own: looks whose antennas stand apart take waves in any case. Close together
+  // they take what either would by itself.
   Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
-    if (!prospect_ || !one_antenna(traced.look)) return {};
+    if (!prospect_ || !close_together(traced.look)) return {};
     Prospect result{.tolerances = tolerances()};
     std::map<long, double> known;
     for (const double frequency : frequencies_) {
       const auto [found, is_new] = known.try_emplace(band_of(frequency));
-      if (is_new) found->second = band_amplitude(*prospect_, traced.look, found->first);
+      if (is_new) found->second = band_amplitude(traced.look, found->first);
       result.amplitude.push_back(found->second);
     }
     return result;
@@ -94,7 +96,7 @@ class WavesOverSurfaces : public Mechanism {
       found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, k, of_image);
       found.scattering[i] += flat_tips_.at(band_of(frequencies[i])).scattering(*scene_.curved, rim_look, k, of_image);
     }
-    if (one_antenna(traced.look)) add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
+    add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
     sink.sums.surface_strips = found.strips;
     sink.sums.run(MechanismId::surface_waves).work = found.work;
@@ -117,7 +119,19 @@ class WavesOverSurfaces : public Mechanism {
  private:
   bool is_convex() const { return scene_.band.convexity.no_reflection; }
 
-  static bool one_antenna(const Look& look) { return look.transmit == look.receive && look.transmit_range == look.receive_range; }
+  static bool close_together(const Look& look) {
+    const double cosine = glm::dot(spherical_basis(look.transmit).radial, spherical_basis(look.receive).radial);
+    return cosine > std::cos(close_antennas) && look.transmit_range == look.receive_range;
+  }
+
+  // The same whichever of two antennas transmits.
+  double band_amplitude(const Look& look, long band) const {
+    Look from_transmitter = look, from_receiver = look;
+    from_transmitter.receive = look.transmit, from_receiver.transmit = look.receive;
+    const double amplitude = raytube::band_amplitude(*prospect_, from_transmitter, band);
+    return look.transmit == look.receive ? amplitude
+                                         : std::max(amplitude, raytube::band_amplitude(*prospect_, from_receiver, band));
+  }
 
   std::optional<AntennaPair> antennas_of(const Look& look) const {
     if (look.far()) return {};
@@ -135,12 +149,12 @@ class WavesOverSurfaces : public Mechanism {
   // Refers to the antennas.
   LocalLook local(const Look& look, const std::optional<AntennaPair>& antennas) const {
     if (!antennas) return look_vectors(look);
-    return NearLook(near_antennas(*antennas), wavenumber(std::ranges::max(frequencies_)), scene_.plan.target.mesh.radius);
+    return NearLook(near_antennas(*antennas), wavenumber(sampling_frequency(frequencies_)), scene_.plan.target.mesh.radius);
   }
 
   double tolerances() const {
     if (is_convex()) return 1.0;
-    const double edges = scene_.band.wave_surfaces->boundary_length() / scene_.band.shortest_wavelength();
+    const double edges = scene_.band.wave_surfaces->boundary_length() / wavelength(sampling_frequency(frequencies_));
     return tolerances_of_sets * std::max(1.0, edges / dear_edges);
   }
 

@@ -237,7 +237,8 @@ void CornerWaves::add_way(const Edge& edge, int from, double share, const std::a
     return weight(first, -in.incident, k, edge.length) * weight(last, out.scattered, k, edge.length) *
            sheet_share(edge.thickness, k, edge.length);
   };
-  if (weights(wavenumber(std::ranges::max(frequencies))) < least_weight) return;
+  const auto matters = [&](double frequency) { return weights(wavenumber(frequency)) >= least_weight; };
+  if (std::ranges::none_of(frequencies, matters)) return;
   const Passage starts = passage(first, -in.incident, in.electric), leaves = passage(last, out.scattered, out.receive);
   const double path = visits[from].in + visits[1 - from].out - edge.length;
   const double further_out = glm::dot(out.scattered - in.incident, edge.outwards);

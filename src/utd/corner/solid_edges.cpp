@@ -13,6 +13,7 @@ namespace raytube {
 
 namespace {
 
+constexpr double at_same_place = 1e-9;  // of an edge's length
 constexpr double least_n = 1.25, most_n = 1.0 + 165.0 / 180.0;
 
 bool is_edge_of_solid(const Wedge& wedge) {
@@ -80,11 +81,29 @@ class SolidEdges::Finder {
     return SolidEdge{{*start, *finish}, wedge.length(), wedge.n};
   }
 
+  /// The edges that waves see for themselves, body by body: those of a body hang together by their ends.
+  std::vector<std::vector<std::uint32_t>> bodies() {
+    std::vector<bool> known(wedges_.size());
+    std::vector<std::vector<std::uint32_t>> bodies;
+    for (std::uint32_t first = 0; first < wedges_.size(); ++first) {
+      if (known[first] || !wedges_[first].stands_alone()) continue;
+      known[first] = true;
+      std::vector<std::uint32_t>& body = bodies.emplace_back(1, first);
+      for (std::size_t i = 0; i < body.size(); ++i)
+        for (const std::uint32_t end : {2 * body[i], 2 * body[i] + 1})
+          for (const std::uint32_t other : ends_.met_by(end, at_same_place * wedges_[body[i]].length()))
+            if (!known[other / 2]) known[other / 2] = true, body.push_back(other / 2);
+      std::erase_if(body, [&](std::uint32_t i) { return !wedges_[i].stands_alone(); });
+      std::ranges::sort(body);
+    }
+    return bodies;
+  }
+
  private:
   /// The other two ends there, that in the first face of this one's wedge first.
   std::optional<std::array<std::uint32_t, 2>> beside(std::uint32_t end) {
     const Wedge& wedge = wedges_[end / 2];
-    const double distance = 1e-9 * wedge.length();
+    const double distance = at_same_place * wedge.length();
     const auto met = ends_.met_by(end, distance);
     if (met.size() != 2 || !std::ranges::all_of(met, [&](std::uint32_t e) { return is_edge_of_solid(ends_.wedge(e)); }))
       return std::nullopt;
@@ -124,27 +143,31 @@ class SolidEdges::Finder {
 };
 
 SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {
-  if (std::ranges::count_if(wedges, &Wedge::stands_alone) > static_cast<std::ptrdiff_t>(most_edges)) return;
   Finder finder(wedges);
-  std::vector<std::uint32_t> longest_first;
-  for (std::uint32_t i = 0; i < wedges.size(); ++i)
-    if ((edges_[i] = finder.edge(i))) longest_first.push_back(i);
-  std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
-  for (const std::uint32_t i : longest_first)
-    for (SolidEnd& end : edges_[i]->ends)
-      if (edges_[i] && !(end.corners = corners_of(end, edges_[i]->n))) {
-        edges_[i].reset();
-        break;
-      }
+  for (std::vector<std::uint32_t>& body : finder.bodies()) {
+    if (body.size() > most_edges) continue;
+    std::ranges::stable_sort(body, std::ranges::greater{}, [&](std::uint32_t i) { return wedges[i].length(); });
+    Shapes shapes;
+    for (const std::uint32_t i : body)
+      if ((edges_[i] = finder.edge(i)) && !find_corners(*edges_[i], shapes)) edges_[i].reset();
+  }
 }
 
-const SolidCorners* SolidEdges::corners_of(const SolidEnd& end, double n) {
-  const SolidCornerShape shape{rounded_corner(angle_between(end.edges[0], end.edges[1])),
-                               rounded_corner(angle_between(end.edges[0], end.edges[2])), rounded_corner((2.0 - n) * pi)};
-  const auto known = std::ranges::find_if(shapes_, [&](const auto& s) { return s->shape() == shape; });
-  if (known != shapes_.end()) return known->get();
-  if (shapes_.size() == most_shapes) return nullptr;
-  return shapes_.emplace_back(std::make_unique<SolidCorners>(shape)).get();
+bool SolidEdges::find_corners(SolidEdge& edge, Shapes& of_body) {
+  for (SolidEnd& end : edge.ends) {
+    const SolidCornerShape shape{rounded_corner(angle_between(end.edges[0], end.edges[1])),
+                                 rounded_corner(angle_between(end.edges[0], end.edges[2])), rounded_corner((2.0 - edge.n) * pi)};
+    const auto is_that = [&](const auto& s) { return s->shape() == shape; };
+    if (const auto known = std::ranges::find_if(of_body, is_that); known != of_body.end()) {
+      end.corners = *known;
+      continue;
+    }
+    if (of_body.size() == most_shapes) return false;
+    const auto known = std::ranges::find_if(shapes_, is_that);
+    end.corners = known != shapes_.end() ? known->get() : shapes_.emplace_back(std::make_unique<SolidCorners>(shape)).get();
+    of_body.push_back(end.corners);
+  }
+  return true;
 }
 
 }  // namespace raytube

@@ -55,7 +55,8 @@ struct SolidEdge {
 /// off a plane; `nullopt` for others. The shapes of corners are rounded to 0.1 degrees.
 class SolidEdges {
  public:
-  /// Of more than `most_shapes` only the corners of the longest edges have waves, of more than `most_edges` edges none.
+  /// Of a body with more than `most_shapes` only the corners of the longest edges have waves, of one with more than `most_edges`
+  /// edges none. What other bodies there are does not count.
   explicit SolidEdges(std::span<const Wedge> wedges);
 
   const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
@@ -66,7 +67,9 @@ class SolidEdges {
 
  private:
   class Finder;
-  const SolidCorners* corners_of(const SolidEnd& end, double n);
+  using Shapes = std::vector<const SolidCorners*>;
+  /// False if one of them would be one more shape than the body may have.
+  bool find_corners(SolidEdge& edge, Shapes& of_body);
 
   std::vector<std::unique_ptr<SolidCorners>> shapes_;
   std::vector<std::optional<SolidEdge>> edges_;  // [wedge]

@@ -52,12 +52,10 @@ class Integrator {
   }
 
   void add(double from, double to, double tolerance, int halvings) {
-    if (is_used_up()) return;
     const std::optional<std::size_t> first = first_rule(from, to);
     if (!first) return;
     for (std::size_t rule = *first; rule < counts.size(); ++rule) {
       sample(rules()[rule], from, to);
-      if (!result_.complete) return;
       if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == most_halvings && rule + 1 == counts.size())) continue;
       accept();
       if (density_.counted)
@@ -73,11 +71,6 @@ class Integrator {
   AzimuthIntegral take() { return std::move(result_); }
 
  private:
-  bool is_used_up() {
-    if (density_.used_up && density_.used_up()) result_.complete = false;
-    return !result_.complete;
-  }
-
   // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge
   // rays meet nothing.
   std::optional<std::size_t> first_rule(double from, double to) const {
@@ -97,8 +90,7 @@ class Integrator {
 
   void sample(const Rule& rule, double from, double to) {
     samples_.resize(rule.points.size());
-    for (std::size_t i = 0; i < samples_.size() && !is_used_up(); ++i)
-      density_.at(from + rule.points[i].node * (to - from), samples_[i]);
+    for (std::size_t i = 0; i < samples_.size(); ++i) density_.at(from + rule.points[i].node * (to - from), samples_[i]);
   }
 
   // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses

@@ -24,14 +24,12 @@ struct AzimuthRange {
 struct AzimuthDensity {
   std::function<void(double azimuth, std::vector<ScatteringMatrix>& density)> at;  // sets `density`
   std::function<std::optional<PhaseRange>(double azimuth)> survey;                 // none where it vanishes
-  std::function<bool()> used_up{};                               // whether no more work may be done; none: as much as it takes
   std::function<void(double azimuth, double weight)> counted{};  // told of every point of the sum that is returned; may be none
 };
 
 struct AzimuthIntegral {
   std::vector<ScatteringMatrix> value;  // per frequency
   std::vector<ChannelErrors> error;     // estimated, per frequency
-  bool complete = true;                 // false: the work was used up before the end, and the value is none
 };
 
 /// Integral over panels between ascending `cuts` [rad]. A Gauss rule of as many points as the phases of the integrand ask for,

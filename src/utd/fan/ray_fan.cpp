@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t few_faces = 24;
 constexpr double parallel = 1e-9;        // sine between rays and a plane below which they never meet
 constexpr double same_position = 1e-12;  // in radii of the target
+constexpr double contact_steps = 3.0;    // of coordinates, as far as rounding parts faces that touch
 constexpr double beside_point = 1e-3;    // of the way to the point the rays come from: nothing that near to it counts
 
 // How much farther apart rays are for every metre along them from `base`, as a vector that components are taken of.
@@ -138,8 +139,14 @@ void RayFanTracer::intersect(const RayFan& fan, const FanPlane& in, std::uint32_
   to = std::min(to, fan.to);
   if (!(from < to)) return;
   const Patch& plane = mesh.patches[tree_.faces()[face].patch];
-  crossed_.push_back(
-      {face, from, to, (plane.offset - glm::dot(plane.normal, fan.base)) / facing, -glm::dot(plane.normal, fan.step) / facing});
+  const FanHit hit{face, from, to, (plane.offset - glm::dot(plane.normal, fan.base)) / facing,
+                   -glm::dot(plane.normal, fan.step) / facing};
+  // Rays that begin all along in the plane of a face, within rounding, do not meet it, as hits at no distance do not count: there
+  // bodies touch.
+  const auto above = [&](double z) { return std::abs((hit.length - fan.begin + (hit.growth - fan.growth) * z) * facing); };
+  const double rounding = contact_steps * mesh.coordinate_step;
+  if (above(from) <= rounding && above(to) <= rounding && rounding > 0.0) return;
+  crossed_.push_back(hit);
 }
 
 // Between neighbouring cuts the order of the faces is the same, and all lie on one side of the start.

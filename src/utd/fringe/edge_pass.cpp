@@ -4,10 +4,11 @@
 #include <utility>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
-double shortest_wavelength(std::span<const double> frequencies) { return wavelength(*std::ranges::max_element(frequencies)); }
+double shortest_wavelength(std::span<const double> frequencies) { return wavelength(sampling_frequency(frequencies)); }
 
 EdgeMeeting::EdgeMeeting(const Wedge& wedge, const dvec3& incident)
     : incidence(incidence_on(wedge, incident)), edge_face_only(comes_along_plate(wedge, incident)) {

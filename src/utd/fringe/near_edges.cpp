@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 #include "utd/fringe/corner_pass.h"
 #include "utd/fringe/near_pieces.h"
 
@@ -58,7 +59,7 @@ class NearEdges {
       : frequencies_(subset.frequencies),
         materials_(scene.materials),
         screens_(scene, antennas, subset),
-        cutter_(near_antennas(antennas), wavenumber(std::ranges::max(frequencies_)), scene.tracer.mesh().radius) {}
+        cutter_(near_antennas(antennas), wavenumber(sampling_frequency(frequencies_)), scene.tracer.mesh().radius) {}
 
   /// Calls visit(piece, edges, meeting, lit, screens) for those of wedge `index`, `edges` made by `make`, that of at_order().
   template <class Make, class Visit>
@@ -160,7 +161,7 @@ class NearCornerWaves {
       : scene_(scene),
         antennas_(antennas),
         screens_(scene, antennas, subset),
-        near_(near_antennas(antennas), wavenumber(std::ranges::max(subset.frequencies)), scene.tracer.mesh().radius) {}
+        near_(near_antennas(antennas), wavenumber(sampling_frequency(subset.frequencies)), scene.tracer.mesh().radius) {}
 
   /// Calls add(index, lit, visits, screens) for the edges that have any.
   template <class Add>
@@ -240,7 +241,7 @@ EdgeLookResult fringe_scattering_near(const EdgeScene& scene, const AntennaPair&
     for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) sum.add(scene.wedges, index, light, make);
     return sum.take();
   });
-  const NearLook near(near_antennas(antennas), wavenumber(std::ranges::max(subset.frequencies)), scene.tracer.mesh().radius);
+  const NearLook near(near_antennas(antennas), wavenumber(sampling_frequency(subset.frequencies)), scene.tracer.mesh().radius);
   for (const SurfaceArrival& arrival : surfaces.arrivals)
     result.work += add_arrivals(scene, near.at(arrival.position), subset.frequencies, options,
                                 {std::span(&arrival, 1), surfaces.frequencies}, result.higher);

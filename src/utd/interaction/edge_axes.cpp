@@ -4,6 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "scene/frequency_bands.h"
+
 namespace raytube {
 
 namespace {
@@ -76,7 +78,7 @@ LitInterval along_wedge(const LitEdgePiece& piece) {
 std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius) {
   const LitInterval lit = along_wedge(piece);
   std::vector<NearPiece> parts;
-  PieceCutter(*piece.wave->antennas, std::ranges::max(wavenumbers), radius).cut(*piece.edge->wedge, lit.begin, lit.end, parts);
+  PieceCutter(*piece.wave->antennas, sampling_wavenumber(wavenumbers), radius).cut(*piece.edge->wedge, lit.begin, lit.end, parts);
   return parts;
 }
 

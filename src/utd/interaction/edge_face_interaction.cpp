@@ -4,14 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 #include "utd/fringe/near_pieces.h"
 #include "utd/fringe/reflected_edges.h"
 #include "utd/interaction/illumination_rounds.h"
-#include "utd/interaction/pair_probe.h"
+#include "utd/interaction/pair_reach.h"
 #include "utd/interaction/penumbra_fringe.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
@@ -23,14 +25,11 @@ namespace {
 constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
 constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
-// Shares of the work: of finding direct light, reflected light, the bounds of pairs, and of the pairs themselves.
-constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.75;
-// A pair tried beforehand is given up where it takes so many fair parts of the work.
-constexpr double most_of_fair = 3.0;
-// Of a pair of edge and face; vehicles of 100 to 300 wavelengths show twice as much and more.
-constexpr double least_pair_work = 5e5;
-constexpr std::size_t edges_at_a_time = 8;                      // whose fringe currents are found together where work is limited
-constexpr double first_guess_of_fringe = 4 * work::strip_tree;  // of one edge
+// Shares of the work: of finding direct light, reflected light, the bounds of pairs, the pairs themselves, and fringe currents
+// that reflected light and waves of other edges excite.
+constexpr double light_share = 0.15, reflected_share = 0.15, bound_share = 0.1, pair_share = 0.4, fringe_share = 0.1;
+constexpr double work_of_fringe = 4 * work::strip_tree;  // price of the fringe currents of a lit piece
+constexpr std::size_t edges_at_a_time = 8;               // whose fringe currents are found together where work is limited
 // Of its bound that an unknown contribution has, root mean square, and that it has at least (measured: docs).
 constexpr double typical_share = 0.1, least_share = 0.01;
 
@@ -47,13 +46,6 @@ LookVectors look_from(const NearAntennas& antennas, const dvec3& point) {
   LookVectors look{in.direction, -out.direction, in.field, {}, out.field};
   for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(in.direction, in.field[q]);
   return look;
-}
-
-InteractionResult unreached(double work) {
-  InteractionResult result;
-  result.unreached = true;
-  result.work = work;
-  return result;
 }
 
 // All waves that light edges in one look, and what these radiate.
@@ -73,14 +65,13 @@ class InteractionLook {
   InteractionLook(const InteractionLook&) = delete;
 
   InteractionResult solve(const InteractionOptions& options) {
-    if (!find_light(options)) return unreached(work_);
+    find_light();
     InteractionResult result;
     result.skipped.reflected_pairs = reflected_pairs_left_out_;
     if (!jobs_.empty()) {
       result.scattering.resize(frequencies_.size());
       result.illuminating_pieces = jobs_.size();
       add(illuminate(options, {}, result), result);
-      if (result.unreached) return unreached(work_);
       const double fringe_squares = options.order > 1 ? add_fringe(options, result) + add_penumbra(result) : 0.0;
       estimate_left_out(fringe_squares, result);
     }
@@ -91,11 +82,11 @@ class InteractionLook {
   // Of the only frequency, each at the place of its path.
   std::vector<ImageEdge> pieces_by_path(const InteractionOptions& options) {
     InteractionResult result;
-    if (!find_light(options) || jobs_.empty()) return {};
+    find_light();
+    if (jobs_.empty()) return {};
     find_places();
     IlluminationSum sum = illuminate(options, {}, result);
     work_ += sum.work;
-    if (result.unreached) return {};
     std::vector<ImageEdge> pieces = std::move(sum.pieces);
     if (options.order == 1) return pieces;
     take_penumbra_apart(pieces);
@@ -111,10 +102,10 @@ class InteractionLook {
   std::vector<ImageEdge> pieces(const InteractionOptions& options, std::size_t frequency_index) {
     std::vector<ImageEdge> images;
     InteractionResult result;
-    if (!find_light(options) || jobs_.empty()) return images;
+    find_light();
+    if (jobs_.empty()) return images;
     const IlluminationSum sum = illuminate(options, frequency_index, result);
     work_ += sum.work;
-    if (result.unreached) return images;
     for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
     if (options.order == 1) return images;
     add_penumbra(frequency_index, images);
@@ -125,25 +116,13 @@ class InteractionLook {
   }
 
  private:
-  // Unless a few pairs show that the work reaches too few: light costs as much as many pairs.
-  bool find_light(const InteractionOptions& options) {
-    if (!reaches(options)) return false;
+  void find_light() {
     find_direct_light();
     find_reflected_light();
     for (const LitEdgePiece& piece : direct_) jobs_.push_back({&piece, most_reflections});
     for (const ReflectedWave& wave : reflected_)
       for (const LitEdgePiece& piece : wave.lit)
         jobs_.push_back({&piece, most_reflections - static_cast<int>(wave.patches.size())});
-    return true;
-  }
-
-  bool reaches(const InteractionOptions& options) {
-    if (!is_limited() || options.least_reach == 0.0) return true;
-    const double fair = pair_share * most_work_ / std::max(1.0, scene_.reach->pairs(options.least_reach));
-    const PairProbe probe{scene_.faces, scene_.extents, scene_.axes, incident_, look_, wavenumbers_, least(), most_reflections};
-    const PairWork tried = try_pairs(probe, most_of_fair * fair);
-    work_ += tried.trials;
-    return tried.each <= fair;
   }
 
   static bool has_penumbra(const IlluminationJob& job) { return job.reflections > 0; }
@@ -167,10 +146,11 @@ class InteractionLook {
     std::vector<double> lengths;
     for (const EdgeAxis& axis : scene_.axes)
       if (axis.length >= shortest_axis_) lengths.push_back(axis.length);
-    const auto count = static_cast<std::size_t>(std::min(static_cast<double>(lengths.size()), std::max(1.0, most)));
+    if (lengths.empty()) return;
+    std::ranges::sort(lengths, std::ranges::greater{});
+    const std::size_t count = with_equals(lengths, most);
     work_ += work::edge_light * static_cast<double>(count);
     if (count == lengths.size()) return;
-    std::ranges::nth_element(lengths, lengths.begin() + static_cast<std::ptrdiff_t>(count - 1), std::ranges::greater{});
     const auto squares = [](double sum, double length) { return sum + length * length; };
     const auto end = lengths.begin() + static_cast<std::ptrdiff_t>(count);
     left_out_axes_ = std::accumulate(end, lengths.end(), 0.0, squares) / std::accumulate(lengths.begin(), end, 0.0, squares);
@@ -211,7 +191,7 @@ class InteractionLook {
     }
   }
 
-  double shortest_wavelength() const { return wavelength(std::ranges::max(frequencies_)); }
+  double shortest_wavelength() const { return wavelength(sampling_frequency(frequencies_)); }
   double least() const { return least_tolerance * shortest_wavelength(); }
 
   // Of the tolerance, for each job.
@@ -229,14 +209,11 @@ class InteractionLook {
   IlluminationSum illuminate(const InteractionOptions& options, std::optional<std::size_t> jobs_at, InteractionResult& result) {
     const IlluminationLook look{scene_.faces, look_, wavenumbers_, least(), places_, jobs_at};
     if (!is_limited()) return illuminate_all(look, jobs_, share_of(options.tolerance));
-    const PairLimits limits{{std::ranges::max(wavenumbers_), look_.scattered}, options.tolerance, bound_share * most_work_};
+    const PairLimits limits{{sampling_wavenumber(wavenumbers_), look_.scattered}, options.tolerance, bound_share * most_work_};
     const PairChoice choice = choose_pairs(jobs_, scene_.faces.tree.mesh(), scene_.extents, scene_.faces.by_area, limits);
     work_ += choice.work;
-    const double for_pairs = std::max(0.0, pair_share * (most_work_ - work_));
-    const std::size_t needed = pairs_for(options.least_reach, choice);
-    if (for_pairs < least_pair_work * static_cast<double>(needed)) return give_up(result);
-    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest, {share_of(options.tolerance), for_pairs, needed});
-    if (sum.pairs < std::min(needed, choice.strongest.size())) return give_up(result, sum.work);
+    IlluminationSum sum = illuminate_strongest(look, jobs_, choice.strongest,
+                                               {share_of(options.tolerance), pair_share * most_work_ / scene_.price});
     result.pairs = sum.pairs;
     result.skipped.weak_pairs = choice.weak.count;
     result.skipped.pairs = choice.beyond.count + sum.beyond.count + axes_left_out_ * scene_.faces.by_area.size();
@@ -245,28 +222,6 @@ class InteractionLook {
     const double left = sum.beyond.squares + choice.beyond.squares + choice.weak.squares;
     left_out_squares_ = left + left_out_axes_ * (left + sum.bound_squares);
     return sum;
-  }
-
-  // How many of the strongest have this share of what is expected of all, as far as they are kept.
-  static std::size_t pairs_for(double reach, const PairChoice& choice) {
-    if (reach == 0.0) return 0;
-    LeftOut kept;
-    for (const EdgeFacePair& pair : choice.strongest) kept.add(pair);
-    const double wanted = reach * (kept.squares + choice.beyond.squares);
-    LeftOut strongest;
-    for (const EdgeFacePair& pair : choice.strongest) {
-      if (strongest.squares >= wanted) break;
-      strongest.add(pair);
-    }
-    return strongest.squares >= wanted ? strongest.count : std::numeric_limits<std::uint32_t>::max();
-  }
-
-  IlluminationSum give_up(InteractionResult& result, double work = 0.0) const {
-    result.unreached = true;
-    IlluminationSum none;
-    none.scattering.resize(frequencies_.size());
-    none.work = work;
-    return none;
   }
 
   // What pairs leave out is taken to be as large a share of what is expected of them, root mean square, as with those computed.
@@ -316,42 +271,56 @@ class InteractionLook {
         looks.push_back({part.look, part.path, {{index_of(piece), {{part.begin, part.end}}, piece.weight}}, piece.by_surfaces});
   }
 
-  // Calls use(sum, pieces, looks, wave) for a few lit pieces at a time, in their order.
+  // Calls use(sum, pieces, looks, wave) for a few lit pieces at a time. Returns what the weaker ones may add that the work does
+  // not pay for, as a sum of squares [m^2].
   template <class Use>
   double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
-    double squares = 0.0, each = first_guess_of_fringe, begun = work_;
-    std::size_t done = 0;
+    std::vector<double> bounds;
+    for (const ReflectedWave& wave : reflected_)
+      for (const LitEdgePiece& piece : wave.lit)
+        if (wave.patches.size() == 1) bounds.push_back(fringe_bound(piece));
+    const double least = least_afforded(std::move(bounds), fringe_share * most_work_ / work_of_fringe);
+    double squares = 0.0;
     for (const ReflectedWave& wave : reflected_) {
       if (wave.patches.size() != 1) continue;
-      for (std::size_t first = 0; first < wave.lit.size(); first += at_a_time) {
-        const std::size_t count = std::min(at_a_time, wave.lit.size() - first);
-        const std::span<const LitEdgePiece> pieces = std::span(wave.lit).subspan(first, count);
-        if (work_ + each * static_cast<double>(count) > most_work_) {
-          result.skipped.fringe_pieces += count;
-          for (const LitEdgePiece& piece : pieces) squares += std::pow(typical_share * fringe_bound(piece), 2);
-          continue;
-        }
+      std::vector<LitEdgePiece> strong;
+      for (const LitEdgePiece& piece : wave.lit)
+        if (fringe_bound(piece) >= least)
+          strong.push_back(piece);
+        else
+          ++result.skipped.fringe_pieces, squares += std::pow(typical_share * fringe_bound(piece), 2);
+      for (std::size_t first = 0; first < strong.size(); first += at_a_time) {
+        const std::span<const LitEdgePiece> pieces = std::span(strong).subspan(first, std::min(at_a_time, strong.size() - first));
         std::vector<ReflectedLook> looks;
         add_looks(wave, pieces, looks);
         const EdgeLookResult sum = fringe(looks, options);
         work_ += sum.work;
         use(sum, pieces, looks, wave);
-        done += count;
-        each = (work_ - begun) / static_cast<double>(done);
       }
     }
     return squares;
+  }
+
+  // The bound of the weakest among so many of the strongest candidates; infinite where not one is paid for.
+  static double least_afforded(std::vector<double> bounds, double count) {
+    std::ranges::sort(bounds, std::ranges::greater{});
+    const std::size_t afforded = with_equals(bounds, count, false);
+    return afforded > 0 ? bounds[afforded - 1] : std::numeric_limits<double>::infinity();
   }
 
   // The same of the fringe currents on the rims of other faces, by waves of edges that light reaches after one reflection at
   // most.
   double add_penumbra(InteractionResult& result) {
     PenumbraFringe penumbra(scene_.edges.tracer, scene_.axes, shortest_axis_, look_, wavenumbers_);
-    double squares = 0.0;
+    std::vector<double> bounds;
+    double price = 0.0, squares = 0.0;
+    for (const IlluminationJob& job : jobs_)
+      if (has_penumbra(job)) bounds.push_back(fringe_bound(*job.piece)), price += penumbra.work_of(*job.piece);
+    const double count = static_cast<double>(bounds.size());
+    const double least = least_afforded(std::move(bounds), price > 0.0 ? fringe_share * most_work_ / price * count : count);
     for (const IlluminationJob& job : jobs_) {
       if (!has_penumbra(job)) continue;
-      const double work = work_ + penumbra.work();
-      if (is_limited() && (work > most_work_ || work + penumbra.work_of(*job.piece) > most_work_)) {
+      if (fringe_bound(*job.piece) < least) {
         ++result.skipped.fringe_pieces;
         squares += std::pow(typical_share * fringe_bound(*job.piece), 2);
       } else {
@@ -378,7 +347,7 @@ class InteractionLook {
   // Of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that goes on
   // from there has no side. Less the share that counts.
   double beyond_smooth_light(const LitEdgePiece& piece, const PenumbraFringe& penumbra) const {
-    constexpr double near_border = 0.01;  // saves time alone: no edge is so far away that more is within its 1e-7 rad
+    constexpr double near_border = 0.1;  // saves time alone: more is within 1e-5 rad only of edges 500 of their lengths away
     if (piece.light == 1.0) return 0.0;
     const auto ends_light = [&](const IlluminationJob& job) {
       return has_penumbra(job) && penumbra.ends_along(piece, *job.piece);
@@ -458,28 +427,19 @@ class InteractionLook {
 
 }  // namespace
 
-namespace {
-
-bool is_out_of_reach(const InteractionScene& scene, const InteractionOptions& options) {
-  return options.least_reach > 0.0 && reach_of(scene, options) < options.least_reach;
-}
-
-}  // namespace
-
 double reach_of(const InteractionScene& scene, const InteractionOptions& options) {
-  return std::isfinite(options.work) ? scene.reach->of(pair_share * options.work / least_pair_work) : 1.0;
+  return std::isfinite(options.work) ? scene.reach->of(pair_share * options.work / scene.price) : 1.0;
 }
 
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options) {
   if (scene.axes.empty()) return {};
-  if (is_out_of_reach(scene, options)) return unreached(0.0);
   return InteractionLook(scene, look, frequencies, options).solve(options);
 }
 
 std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                           std::size_t frequency_index, const InteractionOptions& options, bool by_path) {
-  if (scene.axes.empty() || is_out_of_reach(scene, options)) return {};
+  if (scene.axes.empty()) return {};
   InteractionLook of(scene, look, frequencies, options);
   return by_path ? of.pieces_by_path(options) : of.pieces(options, frequency_index);
 }

@@ -57,7 +57,6 @@ struct InteractionResult {
   /// (docs/theory/interaction.md). Empty: nothing was left out.
   std::vector<double> left_out;
   InteractionSkips skipped{};
-  bool unreached = false;   // not begun, or given up: the work allowed reaches less than `least_reach`
   std::uint64_t pairs = 0;  // of an edge and a face, computed; counted where work is limited
   double work = 0.0;        // counted (core/work.h)
 };
@@ -69,18 +68,16 @@ struct InteractionScene {
   std::span<const EdgeAxis> axes;          // of edges that illuminate others; into edges.wedges
   double shortest_axis = 0.0;              // of those that count [m]
   std::span<const PatchExtent> extents{};  // of the mesh's patches, and faces.by_area: needed where work is limited
-  const PairReach* reach = nullptr;        // of the same edges and faces: needed for InteractionOptions::least_reach
+  const PairReach* reach = nullptr;        // of the same edges and faces: needed for reach_of()
+  double price = 0.0;                      // of a pair (pair_price.h): needed where work is limited
 };
 
 struct InteractionOptions {
   int order = 3;  // of the fringe currents
   TransitionTier transition = TransitionTier::exact;
   double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
-  double work = std::numeric_limits<double>::infinity();  // that a look may take (core/work.h), or little more
-  // Of the sum of squares that is expected of all pairs: nothing is computed where the work allowed reaches less. A part of a sum
-  // whose terms are out of phase is no better than none.
-  double least_reach = 0.0;
-  const NearAntennas* antennas = nullptr;  // at a finite distance, where S is as of these; none: plane waves
+  double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (core/work.h)
+  const NearAntennas* antennas = nullptr;                 // at a finite distance, where S is as of these; none: plane waves
 };
 
 /// Reflections of a path from the transmitter over an edge to the last face it illuminates, before and after the edge together.
@@ -90,8 +87,9 @@ inline constexpr int most_reflections = 2;
 /// 2 and 3 also of the fringe currents of edges that light reaches after one reflection, and of those that waves of other edges
 /// reach. Not symmetric in a monostatic look.
 /// Where the work allowed is not enough for all, the strongest pairs of an edge and a face come first, by their bounds, and those
-/// that together stay below the tolerance not at all. What is computed depends on counted steps alone.
-/// `frequencies` [Hz] must not be empty.
+/// that together stay below the tolerance not at all. Candidates have prices known beforehand, and those as strong as the last
+/// that is paid for come with it: neither their order nor the number of frequencies decides. `frequencies` [Hz] must not be
+/// empty.
 InteractionResult interaction_scattering(const InteractionScene& scene, const Look& look, std::span<const double> frequencies,
                                          const InteractionOptions& options);
 

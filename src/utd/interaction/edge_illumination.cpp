@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 
 namespace raytube {
 
@@ -57,7 +58,7 @@ EdgeIllumination::EdgeIllumination(const ReceivingFaces& faces, const LookVector
       band_(wavenumbers),
       amplitudes_(faces.materials.any()
                       ? nullptr
-                      : band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / std::ranges::min(wavenumbers), amplitude_error)) {
+                      : band_.nodes_of_fresnel(EdgeWaveIntegral::least_turn / least_wavenumber(wavenumbers), amplitude_error)) {
   const PlaneWave& wave = *source.wave;
   const dvec3& d = wave.direction;
   const dvec3 turning = -glm::cross(source.edge->tangent, d) / source.incidence.sin_cone, up = glm::cross(d, turning);
@@ -105,7 +106,7 @@ void EdgeIllumination::take_apart(double azimuth, double weight, const PathPlace
 
 std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   std::optional<PhaseRange> range;
-  const double k = std::ranges::max(wavenumbers_);
+  const double k = sampling_wavenumber(wavenumbers_);
   follow(diffracted_rays(azimuth), [&](const Footprint& on) {
     for (const double end : {on.row.from, on.row.to}) {
       const double position = std::clamp(std::clamp(end, source_.from, source_.to), on.row.from, on.row.to);
@@ -116,11 +117,17 @@ std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   return range;
 }
 
+std::size_t EdgeIllumination::rows(double azimuth) {
+  std::size_t count = 0;
+  follow(diffracted_rays(azimuth), [&](const Footprint&) { ++count; });
+  return count;
+}
+
 // How far beyond an end of the piece rays are followed [m]. Rays that start beyond the target are longer by as much. `way` is -1
 // towards smaller positions.
 double EdgeIllumination::margin(double way) const {
   const FaceIncidence& in = source_.incidence;
-  const double k = std::ranges::min(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
+  const double k = least_wavenumber(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
   const double first = EdgeWaveIntegral::reach(inside, k, way * in.cos_cone, in.sin_cone);
   return EdgeWaveIntegral::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
 }
@@ -230,7 +237,7 @@ void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& wave
 // Beside the ends of the edge rules are coarser and move with k: their errors must be those of direct evaluation.
 void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
   const RayRow& row = on.row;
-  const double middle = (std::ranges::min(wavenumbers_) + std::ranges::max(wavenumbers_)) / 2;
+  const double middle = sampling_wavenumber(wavenumbers_);
   const auto add = [&](std::vector<ScatteringMatrix>& at_nodes, double position) {
     add_waves(at_nodes, *amplitudes_, wavenumbers_, row.phase + row.phase_rate * position, density);
     at_nodes.clear();

@@ -4,6 +4,7 @@
 
 #include "core/work.h"
 #include "math/node_waves.h"
+#include "scene/frequency_bands.h"
 #include "utd/interaction/azimuth_cuts.h"
 #include "utd/interaction/near_illumination.h"
 
@@ -17,10 +18,9 @@ constexpr double wider = 1.25;
 constexpr double turn_at_ends = 9.0;
 
 template <class Illumination>
-AzimuthDensity density_of(Illumination& illumination, double most_work) {
+AzimuthDensity density_of(Illumination& illumination) {
   return {[&](double azimuth, std::vector<ScatteringMatrix>& density) { illumination.at(azimuth, density); },
-          [&](double azimuth) { return illumination.survey(azimuth); },
-          [&illumination, most_work] { return illumination.work() > most_work; }};
+          [&](double azimuth) { return illumination.survey(azimuth); }};
 }
 
 bool reaches(std::span<const AzimuthRange> wanted, double from, double to) {
@@ -65,7 +65,7 @@ class BandIllumination {
 
   // `share` of the tolerance.
   void add(const AzimuthRange& panel, double share) {
-    const std::optional<PathSpan> span = paths(all_, panel, std::ranges::max(band_.wavenumbers()));
+    const std::optional<PathSpan> span = paths(all_, panel, sampling_wavenumber(band_.wavenumbers()));
     if (!span) return;
     const ChebyshevNodes* nodes = faces_.materials.any() ? nullptr : band_.nodes_of_fresnel(wider * span->half(), node_error);
     if (!nodes) {
@@ -79,7 +79,6 @@ class BandIllumination {
     few_work_ += few.work();
   }
 
-  bool complete() const { return result_.complete; }
   IlluminatedFaces take() {
     result_.work = all_.work() + few_work_;
     return std::move(result_);
@@ -87,13 +86,11 @@ class BandIllumination {
 
  private:
   AzimuthIntegral integral(Illumination& illumination, std::size_t count, const AzimuthRange& panel, double share) {
-    const double left = limits_.work - all_.work() - few_work_;
-    const AzimuthDensity density = density_of(illumination, &illumination == &all_ ? limits_.work - few_work_ : left);
-    AzimuthIntegral sum = integrate_over_azimuth(density, count, {panel.from, panel.to}, limits_.tolerance * share);
+    AzimuthIntegral sum =
+        integrate_over_azimuth(density_of(illumination), count, {panel.from, panel.to}, limits_.tolerance * share);
     const ChannelErrors worst = worst_of(sum.error);
     for (int p = 0; p < 2; ++p)
       for (int q = 0; q < 2; ++q) result_.error[p][q] += worst[p][q];
-    result_.complete = result_.complete && sum.complete;
     return sum;
   }
 
@@ -111,7 +108,7 @@ template <class Illumination>
 IlluminatedFaces over_band(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                            const LitEdgePiece& source, const IlluminationLimits& limits, const std::vector<double>& cuts) {
   BandIllumination<Illumination> illumination(faces, look, wavenumbers, source, limits);
-  for (std::size_t i = 1; i < cuts.size() && illumination.complete(); ++i)
+  for (std::size_t i = 1; i < cuts.size(); ++i)
     if (reaches(limits.wanted, cuts[i - 1], cuts[i]))
       illumination.add({cuts[i - 1], cuts[i]}, (cuts[i] - cuts[i - 1]) / (cuts.back() - cuts.front()));
   return illumination.take();
@@ -121,7 +118,7 @@ template <class Illumination>
 IlluminatedFaces at_one(const ReceivingFaces& faces, const LookVectors& look, std::span<const double> wavenumbers,
                         const LitEdgePiece& source, const IlluminationLimits& limits, const std::vector<double>& cuts) {
   Illumination illumination(faces, look, wavenumbers, source, limits.reflections);
-  AzimuthDensity density = density_of(illumination, limits.work);
+  AzimuthDensity density = density_of(illumination);
   std::vector<ImageEdge> pieces;
   std::optional<EdgeIllumination> apart;
   if (limits.place) {
@@ -129,7 +126,7 @@ IlluminatedFaces at_one(const ReceivingFaces& faces, const LookVectors& look, st
     density.counted = [&](double azimuth, double weight) { apart->take_apart(azimuth, weight, *limits.place, pieces); };
   }
   AzimuthIntegral all = integrate_over_azimuth(density, 1, cuts, limits.tolerance, limits.wanted);
-  return {std::move(all.value), all.error[0], illumination.work(), std::move(pieces), all.complete};
+  return {std::move(all.value), all.error[0], illumination.work(), std::move(pieces)};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // The far field of the currents that one lit piece of an edge excites on other faces, at all frequencies.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "utd/interaction/edge_illumination.h"
@@ -13,15 +12,13 @@ struct IlluminatedFaces {
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
   double work = 0.0;                         // counted (core/work.h)
   std::vector<ImageEdge> pieces{};           // of the only wavenumber, each at the place of its path, if asked for
-  bool complete = true;                      // false: the work was used up before the end, and `scattering` is none
 };
 
 struct IlluminationLimits {
   int reflections;                         // after the edge
   double tolerance;                        // at which the integral over the azimuth stops, as far as it can tell [m]
   std::span<const AzimuthRange> wanted{};  // where there is anything to illuminate; empty: all round
-  double work = std::numeric_limits<double>::infinity();  // that may be done, or little more
-  const PathPlace* place = nullptr;                       // of pieces; null: none are asked for
+  const PathPlace* place = nullptr;        // of pieces; null: none are asked for
 };
 
 /// The integral of EdgeIllumination over all azimuths. Of many wavenumbers a few are computed if the paths of the rays differ by

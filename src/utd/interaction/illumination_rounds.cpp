@@ -9,6 +9,7 @@
 
 #include "core/threads.h"
 #include "core/work.h"
+#include "utd/interaction/pair_reach.h"
 
 namespace raytube {
 
@@ -16,10 +17,6 @@ namespace {
 
 // Sums waiting to be added up in order take so many matrices at most [a megabyte], or those of so many groups.
 constexpr std::size_t most_waiting = 16384, least_waiting = 16;
-// Of the first pairs, that show what one takes, each may take its part of a share of all work.
-constexpr std::size_t first_pairs = 2;
-constexpr double first_share = 0.5;
-constexpr double most_of_mean = 3.0;  // work that a pair may take at least, in that of those before
 
 // Of one job: the faces that count, and where about the edge they lie. Empty: all.
 struct Group {
@@ -28,7 +25,6 @@ struct Group {
   std::vector<std::uint32_t> patches;
   std::vector<AzimuthRange> azimuths;
   LeftOut bounds;  // of its pairs
-  double work;     // that it may take
 };
 
 double largest(const ScatteringMatrix& s) {
@@ -59,28 +55,19 @@ class Summer {
     }
   }
 
-  const IlluminationSum& sum() const { return sum_; }
-  // What so many pairs take if those that were given up had been finished: taken to be half done.
-  double expected_work() const { return sum_.work + given_up_; }
   IlluminationSum take() { return std::move(sum_); }
   void leave_out(const EdgeFacePair& pair) { sum_.beyond.add(pair); }
 
  private:
   IlluminatedFaces of_group(const Group& group) const {
-    ReceivingFaces faces{look_.faces.tree, look_.faces.large, look_.faces.corners, group.patches, {}, look_.faces.materials};
-    return illuminated_faces(faces, look_.look, look_.wavenumbers, *group.job->piece,
-                             {group.job->reflections, tolerance_, group.azimuths, group.work,
-                              look_.places.empty() ? nullptr : &look_.places[group.index]});
+    ReceivingFaces faces{look_.faces.tree, look_.faces.large, look_.faces.corners, group.patches, {}, {}, look_.faces.materials};
+    return illuminated_faces(
+        faces, look_.look, look_.wavenumbers, *group.job->piece,
+        {group.job->reflections, tolerance_, group.azimuths, look_.places.empty() ? nullptr : &look_.places[group.index]});
   }
 
   void add(const Group& group, const IlluminatedFaces& part) {
     sum_.work += part.work;
-    if (!part.complete) {
-      given_up_ += part.work;
-      sum_.beyond.count += group.bounds.count;
-      sum_.beyond.squares += group.bounds.squares;
-      return;
-    }
     sum_.pairs += group.bounds.count;
     sum_.bound_squares += group.bounds.squares;
     std::ranges::copy(part.pieces, std::back_inserter(sum_.pieces));
@@ -97,22 +84,20 @@ class Summer {
   const IlluminationLook& look_;
   double tolerance_;
   std::vector<IlluminatedFaces> parts_;
-  double given_up_ = 0.0;
   IlluminationSum sum_;
 };
 
-// Pairs of the same job are one group, that may take so much work for each.
-std::vector<Group> groups_of(std::span<const IlluminationJob> jobs, std::span<const EdgeFacePair> pairs, double work_of_pair) {
+// Pairs of the same job are one group.
+std::vector<Group> groups_of(std::span<const IlluminationJob> jobs, std::span<const EdgeFacePair> pairs) {
   std::vector<EdgeFacePair> sorted(pairs.begin(), pairs.end());
   std::ranges::sort(sorted, {}, [](const EdgeFacePair& pair) { return std::pair(pair.job, pair.patch); });
   std::vector<Group> groups;
   for (const EdgeFacePair& pair : sorted) {
-    if (groups.empty() || groups.back().job != &jobs[pair.job]) groups.push_back({&jobs[pair.job], pair.job, {}, {}, {}, 0.0});
+    if (groups.empty() || groups.back().job != &jobs[pair.job]) groups.push_back({&jobs[pair.job], pair.job, {}, {}, {}});
     groups.back().patches.push_back(pair.patch);
     groups.back().azimuths.push_back(pair.bound.azimuths);
     groups.back().bounds.add(pair);
   }
-  for (Group& group : groups) group.work = work_of_pair * static_cast<double>(group.bounds.count);
   return groups;
 }
 
@@ -129,8 +114,7 @@ double illumination_bytes(std::size_t frequencies, double pairs) {
 
 IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const IlluminationJob> jobs, double tolerance) {
   std::vector<Group> groups;
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    groups.push_back({&jobs[i], i, {}, {}, {}, std::numeric_limits<double>::infinity()});
+  for (std::size_t i = 0; i < jobs.size(); ++i) groups.push_back({&jobs[i], i, {}, {}, {}});
   Summer summer(look, jobs.size(), tolerance);
   summer.add(groups);
   return summer.take();
@@ -139,19 +123,11 @@ IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const Ill
 IlluminationSum illuminate_strongest(const IlluminationLook& look, std::span<const IlluminationJob> jobs,
                                      std::span<const EdgeFacePair> pairs, const PairBudget& budget) {
   Summer summer(look, jobs.size(), budget.tolerance);
-  std::size_t done = std::min(first_pairs, pairs.size());
-  const double fair = budget.work / static_cast<double>(std::max<std::size_t>(budget.needed, 1));
-  summer.add(groups_of(jobs, pairs.first(done), std::min(first_share * budget.work / first_pairs, most_of_mean * fair)));
-  const auto out_of_reach = [&] { return budget.needed > 0 && summer.expected_work() > static_cast<double>(done) * fair; };
-  while (done < pairs.size() && summer.sum().bound_squares > 0.0 && !out_of_reach()) {
-    const double left = budget.work - summer.sum().work, each = summer.expected_work() / static_cast<double>(done);
-    if (!(left > each)) break;
-    const double fit = left / (each * most_of_mean);
-    const auto count = static_cast<std::size_t>(std::clamp(fit, 1.0, static_cast<double>(pairs.size() - done)));
-    summer.add(groups_of(jobs, pairs.subspan(done, count), left / static_cast<double>(count)));
-    done += count;
-  }
-  for (const EdgeFacePair& pair : pairs.subspan(done)) summer.leave_out(pair);
+  std::vector<double> expected;
+  for (const EdgeFacePair& pair : pairs) expected.push_back(pair.bound.expected);
+  const std::size_t count = with_equals(expected, budget.pairs, false);
+  summer.add(groups_of(jobs, pairs.first(count)));
+  for (const EdgeFacePair& pair : pairs.subspan(count)) summer.leave_out(pair);
   return summer.take();
 }
 

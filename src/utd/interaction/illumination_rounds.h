@@ -1,4 +1,4 @@
-// Edge-diffracted illumination of more pairs of edge and face than a look may take: strongest first, until the work is used up.
+// Edge-diffracted illumination of more pairs of edge and face than a look may take: the strongest of them.
 #pragma once
 
 #include <optional>
@@ -36,13 +36,11 @@ IlluminationSum illuminate_all(const IlluminationLook& look, std::span<const Ill
 
 /// What a sum over pairs may take.
 struct PairBudget {
-  double tolerance;    // each job's share of the error [m]
-  double work;         // counted (core/work.h); exceeded by a point of quadrature a job at most
-  std::size_t needed;  // of the first pairs: nothing more is tried once it shows that so many take more. 0: as many as there are
+  double tolerance;  // each job's share of the error [m]
+  double pairs;      // that it has work for; none below 1
 };
 
-/// Sum over the pairs from the first on, in rounds of known cost: the mean cost of the pairs before says how many the next round
-/// takes, and a pair that would take a multiple of it is given up. Where not even the strongest can be had nothing more is tried.
+/// Sum over so many of the pairs, which come strongest first, and those that are as strong as the last of them.
 IlluminationSum illuminate_strongest(const IlluminationLook& look, std::span<const IlluminationJob> jobs,
                                      std::span<const EdgeFacePair> pairs, const PairBudget& budget);
 

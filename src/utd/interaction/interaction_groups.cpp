@@ -23,14 +23,6 @@ std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   return corners;
 }
 
-// Which of the materials reflect more than half of the amplitude of a wave that meets them square on.
-std::vector<bool> mirrors_among(const FaceMaterials& materials, double wavenumber) {
-  std::vector<bool> mirrors;
-  for (std::uint32_t m = 0; m < materials.materials.size(); ++m)
-    mirrors.push_back(std::abs(materials.response(m, 0, wavenumber, 1.0, false).reflected.te) > 0.5);
-  return mirrors;
-}
-
 // So many of the patches, and which.
 void mark_large(const InteractionParts& parts, double least_area, InteractionGroup& group) {
   const auto small = [&](std::uint32_t patch) { return parts.patches[patch].area < least_area; };
@@ -41,10 +33,17 @@ void mark_large(const InteractionParts& parts, double least_area, InteractionGro
 
 }  // namespace
 
+std::vector<bool> mirrors_among(const FaceMaterials& materials, std::size_t frequency, double wavenumber) {
+  std::vector<bool> mirrors;
+  for (std::uint32_t m = 0; m < materials.materials.size(); ++m)
+    mirrors.push_back(std::abs(materials.response(m, frequency, wavenumber, 1.0, false).reflected.te) > 0.5);
+  return mirrors;
+}
+
 // Waves of edges end at sheets: they would go on behind these with what both sides of a face radiate.
 InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges, const FaceMaterials& materials,
                                    double wavenumber)
-    : axes(edge_axes(mesh, wedges, mirrors_among(materials, wavenumber))),
+    : axes(edge_axes(mesh, wedges, mirrors_among(materials, 0, wavenumber))),
       corners(find_corners(wedges)),
       patches(patch_extents(mesh)),
       by_area(patches.size()) {
@@ -54,11 +53,11 @@ InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wed
     return materials.any() && material != no_index && materials.materials[material].transmits();
   });
   std::ranges::stable_sort(by_area, std::ranges::greater{}, [&](std::uint32_t patch) { return patches[patch].area; });
+  for (const std::uint32_t patch : by_area) areas.push_back(patches[patch].area);
 }
 
 TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency) {
   const double least = wavelength(frequency);
-  const std::vector<PatchExtent> patches = patch_extents(mesh);
   TooSmall result;
   double longest = 0.0, largest = 0.0;
   for (const Wedge& wedge : wedges) {
@@ -66,9 +65,9 @@ TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> 
     longest = std::max(longest, wedge.length());
     if (wedge.length() < least) ++result.edges;
   }
-  for (const PatchExtent& patch : patches) {
-    largest = std::max(largest, patch.area);
-    if (patch.area < least * least) ++result.faces;
+  for (const double area : patch_areas(mesh)) {
+    largest = std::max(largest, area);
+    if (area < least * least) ++result.faces;
   }
   result.longest = std::min(longest, std::sqrt(largest));
   return result;

@@ -10,15 +10,20 @@
 
 namespace raytube {
 
-/// The edges and faces of a target as edge-face interaction sees them at every frequency.
+/// Which of the materials reflect more than half of the amplitude of a wave that meets them square on, at a frequency by its
+/// index.
+std::vector<bool> mirrors_among(const FaceMaterials& materials, std::size_t frequency, double wavenumber);
+
+/// The edges and faces of a target as edge-face interaction sees them at frequencies at which the same materials are mirrors.
 struct InteractionParts {
   std::vector<EdgeAxis> axes;          // that may illuminate others; they point into the wedges
   std::vector<dvec3> corners;          // of the target; none if there are more than 200
   std::vector<PatchExtent> patches;    // of the mesh
   std::vector<std::uint32_t> by_area;  // those that let no waves through, the largest first
+  std::vector<double> areas;           // of these [m^2]
 
   InteractionParts() = default;
-  /// `materials` are those of the mesh, at frequencies of which the first has this `wavenumber`; empty: perfect conductors
+  /// `materials` are those of the mesh, at these frequencies, of which the first has this `wavenumber`; empty: perfect conductors
   /// alone.
   InteractionParts(const TriangleMesh& mesh, std::span<const Wedge> wedges, const FaceMaterials& materials, double wavenumber);
 };

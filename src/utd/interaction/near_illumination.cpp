@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/frequency_bands.h"
+
 namespace raytube {
 
 NearIllumination::NearIllumination(const ReceivingFaces& faces, const LookVectors&, std::span<const double> wavenumbers,
@@ -27,7 +29,7 @@ NearRow NearIllumination::diffracted_rays(double azimuth) const {
 }
 
 double NearIllumination::margin(double position, double way) const {
-  const double k = std::ranges::min(wavenumbers_), inside = 2 * (1 + reflections_) * faces_.tree.mesh().radius;
+  const double k = least_wavenumber(wavenumbers_), inside = 2 * (1 + reflections_) * faces_.tree.mesh().radius;
   const double cosine = way * antenna_.cos_cone(position), sine = antenna_.sin_cone(position);
   return EdgeWaveIntegral::reach(inside + 2 * EdgeWaveIntegral::reach(inside, k, cosine, sine), k, cosine, sine);
 }
@@ -77,7 +79,7 @@ void NearIllumination::at(double azimuth, std::vector<ScatteringMatrix>& density
 
 std::optional<PhaseRange> NearIllumination::survey(double azimuth) {
   std::optional<PhaseRange> range;
-  const double k = std::ranges::max(wavenumbers_);
+  const double k = sampling_wavenumber(wavenumbers_);
   follow(azimuth, [&](const NearRow& row) {
     for (const double end : {row.hit.from, row.hit.to}) {
       const double position = std::clamp(std::clamp(end, source_.from, source_.to), row.hit.from, row.hit.to);

@@ -7,6 +7,7 @@
 #include "core/work.h"
 #include "math/erfc_ray.h"
 #include "math/filon.h"
+#include "scene/frequency_bands.h"
 #include "utd/wedge/detour.h"
 
 namespace raytube {
@@ -146,7 +147,7 @@ void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwar
 
 // Where distances from the edge reach too far for one rule; not inside the stretch if they do not.
 double NearRowIntegral::where_to_split(const NearRow& row, const Stretch& stretch) const {
-  const double unit = at_edge / std::ranges::max(wavenumbers_);
+  const double unit = at_edge / sampling_wavenumber(wavenumbers_);
   const double near = std::max(ray(row, stretch.from).path, unit), far = std::max(ray(row, stretch.to).path, unit);
   if (std::max(near / far, far / near) <= octaves) return stretch.to;
   const double share = (std::sqrt(near * far) - near) / (far - near);
@@ -160,7 +161,7 @@ void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, i
   if (!(split > stretch.from && split < stretch.to)) {
     const Samples samples = sampled(row, stretch);
     work_ += work::near_ray_row + work::near_ray_frequency * static_cast<double>(wavenumbers.size());
-    if (halvings >= most_halvings || samples.bend() * std::ranges::max(wavenumbers) < most_bend) {
+    if (halvings >= most_halvings || samples.bend() * sampling_wavenumber(wavenumbers) < most_bend) {
       for (std::size_t f = indices.first; f < indices.end; ++f) density[f] += excited(row, samples, f);
       return;
     }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace raytube {
 
 namespace {
 
-constexpr double touching = 1e-9;         // [rad], and in sizes of the face
+constexpr double touching = 1e-5;         // [rad], and in sizes of the face: what files of few digits leave of contact
 constexpr double mean_of_root = 8.0 / 3;  // mean of sqrt(far / rho) over a convex face from rho = 0 to far, at most
 constexpr double with_slopes = 1.5;       // what the slopes of the waves add to their values, a wavelength away and less
 
@@ -18,21 +19,38 @@ struct AboutEdge {
   double nearest, farthest;
 };
 
-dvec3 corner(const PatchExtent& box, int index) {
-  return {(index & 1 ? box.high : box.low).x, (index & 2 ? box.high : box.low).y, (index & 4 ? box.high : box.low).z};
+// Corners of the convex hull of points in a plane (Andrew 1979).
+std::vector<dvec3> convex_hull(std::vector<dvec3> points, const dvec3& normal) {
+  if (points.size() <= 3) return points;
+  const dvec3 u = glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0))),
+              v = glm::cross(normal, u);
+  const auto key = [&](const dvec3& p) { return std::pair(glm::dot(p, u), glm::dot(p, v)); };
+  std::ranges::sort(points, {}, key);
+  std::vector<dvec3> hull;
+  for (const bool back : {false, true}) {
+    const std::size_t first = hull.size();
+    for (const dvec3& p : points) {
+      const auto turns_left = [&](const dvec3& a, const dvec3& b) { return glm::dot(normal, glm::cross(b - a, p - b)) > 0.0; };
+      while (hull.size() >= first + 2 && !turns_left(hull[hull.size() - 2], hull.back())) hull.pop_back();
+      hull.push_back(p);
+    }
+    if (!hull.empty()) hull.pop_back();
+    if (!back) std::ranges::reverse(points);
+  }
+  return hull.empty() ? points : hull;
 }
 
-// Seen from the line a box covers less than half a turn, or the line runs through it. Its nearest point is no nearer than that of
-// a straight side between two corners as near as the nearest one.
+// Seen from the line a face covers less than half a turn, or the line runs through it. Its nearest point is no nearer than that
+// of a straight side between two corners as near as the nearest one.
 AboutEdge about_edge(const EdgeAxis& axis, const PatchExtent& box) {
   const WedgeFace& face = axis.wedge->faces[0];
   const auto across = [&](const dvec3& point) {
     return dvec2(glm::dot(point - axis.origin, face.into_face), glm::dot(point - axis.origin, face.normal));
   };
-  const dvec2 middle = across((box.low + box.high) / 2.0);
+  const dvec2 middle = across(box.centroid);
   AboutEdge result{0.0, 0.0, std::numeric_limits<double>::infinity(), 0.0};
-  for (int i = 0; i < 8; ++i) {
-    const dvec2 at = across(corner(box, i));
+  for (const dvec3& corner : box.outline) {
+    const dvec2 at = across(corner);
     const double turn = std::atan2(middle.x * at.y - middle.y * at.x, glm::dot(middle, at)), distance = glm::length(at);
     result.from = std::min(result.from, turn);
     result.to = std::max(result.to, turn);
@@ -40,7 +58,7 @@ AboutEdge about_edge(const EdgeAxis& axis, const PatchExtent& box) {
     result.farthest = std::max(result.farthest, distance);
   }
   if (result.to - result.from >= pi - touching) return {0.0, 2 * pi, 0.0, result.farthest};
-  const double azimuth = std::atan2(middle.y, middle.x), size = glm::length(box.high - box.low);
+  const double azimuth = std::atan2(middle.y, middle.x), size = std::sqrt(box.area);
   result.nearest = std::max(0.0, result.nearest * std::cos((result.to - result.from) / 2) - touching * size);
   result.from += azimuth - touching;
   result.to += azimuth + touching;
@@ -84,9 +102,10 @@ double wave_bound(const LitEdgePiece& source, const AboutEdge& box, const Azimut
 }
 
 // Nothing of the edge's line near the piece stands in front of a face that is met from outside only.
-bool only_behind(const LitEdgePiece& source, const Patch& plane, double beyond) {
+bool only_behind(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, double beyond) {
+  const double front = plane.offset + touching * std::sqrt(face.area);
   for (const double at : {source.from - beyond, source.to + beyond})
-    if (glm::dot(plane.normal, source.edge->origin + at * source.edge->tangent) > plane.offset) return false;
+    if (glm::dot(plane.normal, source.edge->origin + at * source.edge->tangent) > front) return false;
   return true;
 }
 
@@ -95,8 +114,11 @@ bool only_behind(const LitEdgePiece& source, const Patch& plane, double beyond) 
 double share_in_phase(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, const AboutEdge& box,
                       const PairView& view) {
   const dvec3& t = source.edge->tangent;
-  const dvec3 size = face.high - face.low, middle = (face.low + face.high) / 2.0 - source.edge->origin;
-  const double along = std::max(touching, glm::dot(glm::abs(t), size)), across = std::max(touching, face.area / along);
+  const dvec3 middle = face.centroid - source.edge->origin;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const dvec3& corner : face.outline) low = std::min(low, glm::dot(t, corner)), high = std::max(high, glm::dot(t, corner));
+  const double least = touching * std::sqrt(face.area);
+  const double along = std::max(least, high - low), across = std::max(least, face.area / along);
   const dvec3 upright = middle - glm::dot(middle, t) * t;
   const double distance = glm::length(upright), sine = source.incidence.sin_cone, cosine = source.incidence.cos_cone;
   const dvec3 ray = cosine * t + (distance > 0.0 ? sine / distance : 0.0) * upright;
@@ -111,18 +133,29 @@ double share_in_phase(const LitEdgePiece& source, const Patch& plane, const Patc
 
 }  // namespace
 
+std::vector<double> patch_areas(const TriangleMesh& mesh) {
+  std::vector<double> areas(mesh.patches.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+  return areas;
+}
+
 std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  std::vector<PatchExtent> extents(mesh.patches.size(), {dvec3(far), dvec3(-far)});
+  std::vector<PatchExtent> extents(mesh.patches.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     PatchExtent& extent = extents[mesh.triangle_patch[t]];
-    extent.area += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+    const double area = glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+    extent.area += area;
     extent.closed = mesh.closed(t);
     for (int c = 0; c < 3; ++c) {
       const dvec3& vertex = mesh.vertices[mesh.triangles[t][c]];
-      extent.low = glm::min(extent.low, vertex);
-      extent.high = glm::max(extent.high, vertex);
+      extent.outline.push_back(vertex);
+      extent.centroid += area / 3.0 * vertex;
     }
+  }
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    extents[i].centroid /= extents[i].area;
+    extents[i].outline = convex_hull(std::move(extents[i].outline), mesh.patches[i].normal);
   }
   return extents;
 }
@@ -132,7 +165,7 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
 PairBound pair_bound(const LitEdgePiece& source, const Patch& plane, const PatchExtent& face, const PairView& view,
                      int reflections) {
   const double beyond = source.to - source.from, k = view.wavenumber;
-  if (face.closed && only_behind(source, plane, beyond)) return {};
+  if (face.closed && only_behind(source, plane, face, beyond)) return {};
   const AboutEdge box = about_edge(*source.edge, face);
   const AzimuthRange range = in_free_space(box, source.edge->wedge->n * pi);
   if (!(range.from < range.to)) return {};

@@ -7,15 +7,18 @@
 
 namespace raytube {
 
-/// Where a patch is: its box [m], and its area [m^2].
+/// Where a patch is: no box along the axes, which would hang on how the mesh is turned.
 struct PatchExtent {
-  dvec3 low, high;
-  double area = 0.0;
-  bool closed = false;  // of a closed body: met from outside only
+  std::vector<dvec3> outline;  // corners of its convex hull [m]
+  dvec3 centroid{0.0};         // [m]
+  double area = 0.0;           // [m^2]
+  bool closed = false;         // of a closed body: met from outside only
 };
 
 /// Of all patches of a mesh.
 std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh);
+/// Their areas alone [m^2].
+std::vector<double> patch_areas(const TriangleMesh& mesh);
 
 struct PairBound {
   double amplitude = 0.0;           // |S_pq| is no larger [m]; 0: the waves never meet the face first

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <tuple>
 
 #include "core/work.h"
+#include "utd/interaction/pair_reach.h"
 
 namespace raytube {
 
@@ -31,7 +33,7 @@ class PairList {
  public:
   void add(const EdgeFacePair& pair) {
     pairs_.push_back(pair);
-    if (pairs_.size() >= 2 * most_pairs_kept) shorten();
+    if (pairs_.size() >= room_) shorten();
   }
   void finish(PairChoice& choice) {
     shorten();
@@ -44,34 +46,42 @@ class PairList {
   void shorten() {
     if (pairs_.size() <= most_pairs_kept) return;
     std::ranges::nth_element(pairs_, pairs_.begin() + most_pairs_kept, stronger);
-    for (std::size_t i = most_pairs_kept; i < pairs_.size(); ++i) dropped_.add(pairs_[i]);
-    pairs_.resize(most_pairs_kept);
+    const double least = pairs_[most_pairs_kept].bound.expected * (1.0 - equally_strong);
+    const auto is_strong = [&](const EdgeFacePair& pair) { return pair.bound.expected >= least; };
+    const auto weaker = std::ranges::partition(pairs_.begin() + most_pairs_kept, pairs_.end(), is_strong);
+    for (const EdgeFacePair& pair : weaker) dropped_.add(pair);
+    pairs_.erase(weaker.begin(), weaker.end());
+    room_ = 2 * pairs_.size();
   }
 
   std::vector<EdgeFacePair> pairs_;
+  std::size_t room_ = 2 * most_pairs_kept;
   LeftOut dropped_;
 };
 
 // The longest of the jobs, in their order.
-std::vector<std::uint32_t> longest(std::span<const IlluminationJob> jobs, std::size_t count) {
+std::vector<std::uint32_t> longest(std::span<const IlluminationJob> jobs, double count) {
   std::vector<std::uint32_t> indices(jobs.size());
   std::iota(indices.begin(), indices.end(), 0u);
-  if (count >= indices.size()) return indices;
-  const auto longer = [&](std::uint32_t a, std::uint32_t b) {
-    return std::pair(-length_of(jobs[a]), a) < std::pair(-length_of(jobs[b]), b);
-  };
-  std::ranges::nth_element(indices, indices.begin() + static_cast<std::ptrdiff_t>(count), longer);
-  indices.resize(count);
+  std::vector<double> lengths;
+  for (const IlluminationJob& job : jobs) lengths.push_back(length_of(job));
+  std::ranges::sort(indices, [&](std::uint32_t a, std::uint32_t b) { return lengths[a] > lengths[b]; });
+  std::ranges::sort(lengths, std::ranges::greater{});
+  indices.resize(with_equals(lengths, count));
   std::ranges::sort(indices);
   return indices;
 }
 
-// The weakest pairs, as long as all of them together stay under the tolerance.
+// The weakest pairs, as long as all of them together stay under the tolerance: of equally strong ones all or none.
 void drop_weak(PairChoice& choice, double tolerance) {
-  double sum = 0.0;
-  while (!choice.strongest.empty() && (sum += choice.strongest.back().bound.amplitude) <= tolerance) {
-    choice.weak.add(choice.strongest.back());
-    choice.strongest.pop_back();
+  std::vector<EdgeFacePair>& pairs = choice.strongest;
+  for (double sum = 0.0; !pairs.empty();) {
+    auto first = pairs.end();
+    const double most = pairs.back().bound.expected * (1.0 + equally_strong);
+    while (first != pairs.begin() && (first - 1)->bound.expected <= most) sum += (--first)->bound.amplitude;
+    if (sum > tolerance) return;
+    std::for_each(first, pairs.end(), [&](const EdgeFacePair& pair) { choice.weak.add(pair); });
+    pairs.erase(first, pairs.end());
   }
 }
 
@@ -82,9 +92,10 @@ PairChoice choose_pairs(std::span<const IlluminationJob> jobs, const TriangleMes
   PairChoice choice;
   const double affordable = std::min(limits.work / work::pair_bound, 1e12);
   const double per_job = std::max<double>(least_patches, affordable / static_cast<double>(jobs.size()));
-  const std::span near = patches.first(static_cast<std::size_t>(std::min<double>(static_cast<double>(patches.size()), per_job)));
-  const auto most_jobs = static_cast<std::size_t>(affordable / static_cast<double>(near.size()));
-  const std::vector<std::uint32_t> looked_at = longest(jobs, most_jobs);
+  std::vector<double> areas;
+  for (const std::uint32_t patch : patches) areas.push_back(extents[patch].area);
+  const std::span near = patches.first(with_equals(areas, per_job));
+  const std::vector<std::uint32_t> looked_at = longest(jobs, affordable / static_cast<double>(near.size()));
   PairList list;
   double squares = 0.0;
   for (const std::uint32_t job : looked_at) {

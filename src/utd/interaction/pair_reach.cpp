@@ -65,13 +65,4 @@ double PairReach::of(double pairs) const {
   return shares_[below] + (place - static_cast<double>(below)) * (next - shares_[below]);
 }
 
-double PairReach::pairs(double share) const {
-  double low = 0.0, high = all_;
-  for (int i = 0; i < bisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (of(middle) < share ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace raytube

@@ -6,6 +6,7 @@
 
 #include "core/work.h"
 #include "math/filon.h"
+#include "scene/frequency_bands.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/wedge/diffracted_field.h"
 
@@ -18,8 +19,8 @@ constexpr double first_panel = 0.8, panel_growth = 4.0;
 constexpr double narrowest_panel = 1e-4;  // in wavelengths
 constexpr double end_inset = 1e-7;        // of a lit piece: its ends belong to other faces, too
 constexpr double beside_face = 4e-6;      // of the target's radius
-constexpr double along_face = 1e-7;       // sine
-constexpr double undecided = 1e-7;        // [rad] beside a boundary
+constexpr double along_face = 1e-5;       // sine
+constexpr double undecided = 1e-5;        // [rad] beside a boundary
 
 bool share_a_face(const Wedge& one, const Wedge& other) {
   return std::ranges::any_of(
@@ -188,7 +189,7 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       look_(look),
       wavenumbers_(wavenumbers),
       band_(wavenumbers),
-      shortest_wavelength_(2 * pi / std::ranges::max(wavenumbers)) {
+      shortest_wavelength_(2 * pi / sampling_wavenumber(wavenumbers)) {
   for (const EdgeAxis& axis : axes_) panel_work_.push_back(axis.length < shortest_axis_ ? 0.0 : work_of_panels(axis.length));
 }
 
@@ -266,12 +267,7 @@ double PenumbraFringe::work_of(const LitEdgePiece& source) const {
 // Neighbouring paths differ by twice the panel at most.
 double PenumbraFringe::work_of_panels(double length) {
   const std::vector<double> ends = growing_panels(length, first_panel * shortest_wavelength_);
-  double work = 0.0;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    const ChebyshevNodes* nodes = nodes_of(ends[i] - ends[i - 1]);
-    work += work_of_panel(nodes ? nodes->at.size() : wavenumbers_.size());
-  }
-  return work;
+  return static_cast<double>(ends.size() - 1) * work_of_panel(1);
 }
 
 double PenumbraFringe::work_of_panel(std::size_t frequencies) {

@@ -6,6 +6,8 @@
 
 #include "core/work.h"
 #include "utd/interaction/edge_axes.h"
+#include "utd/interaction/pair_reach.h"
+#include "utd/wedge/incidence.h"
 
 namespace raytube {
 
@@ -13,8 +15,7 @@ namespace {
 
 constexpr double border_share = 0.04;   // of an edge's length: within it a beam's border fades
 constexpr double shortest = 1e-3;       // [wavelengths] pieces of an edge that count, and gaps between them
-constexpr double grazing = 1e-9;        // cosine between wave and normal of a mirror
-constexpr double along_surface = 1e-7;  // sine below which light runs along a surface
+constexpr double along_surface = 1e-5;  // sine below which light runs along a surface
 
 // The component along a plane's normal of light that arrives at it, with its sign; of unit light from afar.
 double facing_of(const PlaneWave& wave, const Patch& plane) {
@@ -25,7 +26,7 @@ double facing_of(const PlaneWave& wave, const Patch& plane) {
 
 bool reflects(const Patch& plane, bool closed, const PlaneWave& wave) {
   const double facing = facing_of(wave, plane);
-  return std::abs(facing) > grazing && !(closed && facing > 0.0);
+  return std::abs(facing) > lit_threshold && !(closed && facing > 0.0);
 }
 
 dvec3 middle_of(const EdgeAxis& axis) { return axis.origin + 0.5 * axis.length * axis.tangent; }
@@ -50,6 +51,7 @@ ReflectedLight::ReflectedLight(const ReceivingFaces& faces, std::span<const Edge
     : tree_(faces.tree),
       large_(faces.large),
       by_area_(faces.by_area),
+      areas_(faces.areas),
       axes_(axes),
       incident_(incident),
       wavelength_(wavelength),
@@ -70,26 +72,27 @@ void ReflectedLight::keep_largest(double most_work) {
   const auto pairs = static_cast<double>(axis_count_ * mirrors_.size()), fit = most_work / work::reflected_pair;
   if (pairs <= fit) return;
   all_ = false;
-  const auto at_least_one = [](double count) { return static_cast<std::size_t>(std::max(1.0, count)); };
-  const std::size_t mirrors = at_least_one(static_cast<double>(mirrors_.size()) * std::sqrt(fit / pairs));
-  const std::size_t axes = std::min(axis_count_, at_least_one(fit / static_cast<double>(mirrors)));
+  const std::size_t mirrors = with_equals(areas_, static_cast<double>(mirrors_.size()) * std::sqrt(fit / pairs));
   std::vector<bool> kept(large_.size());
   for (const std::uint32_t patch : by_area_.first(mirrors)) kept[patch] = true;
   std::erase_if(mirrors_, [&](const Mirror& mirror) { return !kept[mirror.patch]; });
   std::vector<double> lengths;
-  for (const EdgeAxis& axis : axes_) lengths.push_back(axis.length);
-  const auto last = lengths.begin() + static_cast<std::ptrdiff_t>(axes - 1);
-  std::ranges::nth_element(lengths, last, std::ranges::greater{});
-  shortest_axis_ = *last;
+  for (const EdgeAxis& axis : axes_)
+    if (axis.length >= shortest_axis_) lengths.push_back(axis.length);
+  std::ranges::sort(lengths, std::greater{});
+  const std::size_t axes = with_equals(lengths, fit / static_cast<double>(mirrors));
+  shortest_axis_ = lengths[axes - 1];
   axis_count_ = axes;
-  pairs_left_out_ += static_cast<std::uint64_t>(pairs) - mirrors * axes;
+  pairs_left_out_ += static_cast<std::uint64_t>(std::max(0.0, pairs - static_cast<double>(mirrors * axes)));
 }
 
-// Further reflections of some mirrors alone would be worth little.
+// Further reflections of some mirrors alone would be worth little. Pairs have a price: what they took hangs on the order of
+// faces.
 bool ReflectedLight::too_many(std::size_t sequences, int reflection, double most_work) {
   const std::size_t pairs = axis_count_ * sequences * mirrors_.size();
-  const double predicted = tracer_.work() + work::reflected_pair * static_cast<double>(pairs);
-  if (pairs <= most_reflected_pairs && (reflection == 0 || (all_ && predicted <= most_work))) return false;
+  looked_at_ += static_cast<double>(pairs);
+  if (pairs <= most_reflected_pairs && (reflection == 0 || (all_ && work::reflected_pair * looked_at_ <= most_work)))
+    return false;
   pairs_left_out_ += pairs;
   return true;
 }
@@ -105,10 +108,6 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most, double most_work) {
     for (const ReflectedWave& before : last)
       for (const Mirror& mirror : mirrors_) {
         const Patch& plane = tree_.mesh().patches[mirror.patch];
-        if (tracer_.work() > 2 * most_work) {
-          pairs_left_out_ += axis_count_;
-          continue;
-        }
         const bool again = !before.patches.empty() && before.patches.back() == mirror.patch;
         if (again || !reflects(plane, mirror.closed, before.wave)) continue;
         ReflectedWave wave{reflected(before.wave, plane), before.patches, {}};

@@ -69,11 +69,13 @@ class ReflectedLight {
   const FaceTree& tree_;
   const std::vector<bool>& large_;  // the mirrors
   std::span<const std::uint32_t> by_area_;
+  std::span<const double> areas_;
   std::span<const EdgeAxis> axes_;
   const PlaneWave& incident_;
   double wavelength_, shortest_axis_;
   std::size_t axis_count_;  // not shorter than that
   bool all_ = true;         // mirrors and edges are looked at
+  double looked_at_ = 0.0;  // pairs of an edge and a sequence of mirrors
   RayFanTracer tracer_;
   std::uint64_t pairs_left_out_ = 0;
   std::vector<Mirror> mirrors_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 #include "utd/multiple/strip_rays.h"
 
 namespace raytube {
@@ -23,14 +24,19 @@ std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
 MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved,
                                          const LookVectors& look, std::span<const double> frequencies, int order,
                                          TransitionTier tier, bool continue_by_images)
-    : scene_{wedges, outlines, curved, look, wavelength(std::ranges::max(frequencies)), wavelength(std::ranges::min(frequencies)),
+    : scene_{wedges,
+             outlines,
+             curved,
+             look,
+             wavelength(sampling_frequency(frequencies)),
+             wavelength(least_frequency(frequencies)),
              tier},
       order_(order),
       band_(wavenumbers_of(frequencies)),
       bins_{PathBins(band_, tier == TransitionTier::exact), PathBins(band_, tier == TransitionTier::exact)},
       answer_(bins_.higher),
       strips_{WaveTree(wedges, outlines, curved, look.incident, look.scattered, continue_by_images),
-              EdgePanels(scene_.shortest)} {
+              EdgePanels(wavelength(greatest_frequency(frequencies)))} {
   sums_.windowed.resize(frequencies.size());
 }
 

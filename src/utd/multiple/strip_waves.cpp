@@ -2,14 +2,19 @@
 
 #include <cmath>
 
+#include "core/angle.h"
+#include "math/smooth_step.h"
+
 namespace raytube {
 
 namespace {
 
 constexpr double half_plane = 2.0 - 1e-9;  // n of an edge that a wave along its faces meets over both at once
 constexpr double flattest_link = 1.02;     // n of an edge that is next to no edge at all
-constexpr double right_angle = 1e-4;       // of n: a corner that is a right one but for the rounding of its vertices
-constexpr int most_mirrors = 2;            // where three faces meet; between parallel walls there is no end of them
+// An image in a face that stands by an angle off the right one is turned by twice that: over strips of ten wavelengths it goes
+// out of phase by a tenth of a radian at 0.05 degrees, and by a whole one at half a degree. In between images fade.
+constexpr double whole_image = 0.05 * degree, no_image = 0.5 * degree;
+constexpr int most_mirrors = 2;  // where three faces meet; between parallel walls there is no end of them
 
 // The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
 FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
@@ -60,15 +65,16 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
 }
 
 std::optional<StripWave> mirrored_wave(std::span<const Wedge> wedges, const StripWave& wave, const OutlineEdge& edge) {
-  if (edge.wedge == no_index || std::abs(wedges[edge.wedge].n - 0.5) > right_angle || !wedges[edge.wedge].conducting() ||
-      wave.mirrors == most_mirrors)
-    return std::nullopt;
+  if (edge.wedge == no_index || !wedges[edge.wedge].conducting() || wave.mirrors == most_mirrors) return std::nullopt;
+  const double off = std::abs(wedges[edge.wedge].n - 0.5) * pi;
+  const double share = smooth_step((no_image - off) / (no_image - whole_image));
+  if (share == 0.0) return std::nullopt;
   if (-glm::dot(wave.direction, edge.into_face) < along_edge) return std::nullopt;
   StripWave result = wave;
   for (dvec3* each : {&result.direction, &result.across, &result.incidence.tangent}) *each = glm::reflect(*each, edge.into_face);
   result.wedge = edge.wedge;
   result.face = edge.wedge_face;
-  result.sign = -wave.sign;
+  result.sign = -share * wave.sign;
   ++result.mirrors;
   return result;
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "math/erfc_ray.h"
+#include "scene/frequency_bands.h"
 #include "utd/rounded/nose_table.h"
 #include "utd/rounded/rounded_edge.h"
 
@@ -111,7 +112,7 @@ bool is_edge(const Nose& nose, double wavenumber) {
 
 }  // namespace
 
-double longest_nose(double frequency) { return std::exp2(std::floor(std::log2(wavelength(frequency) / 4))); }
+double longest_nose(double frequency) { return wavelength(sampled_band(frequency).highest) / 4; }
 
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber) {
   const double cell = piece_length * 2 * pi / wavenumber;
@@ -161,7 +162,8 @@ ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimP
   for (const RimPiece& piece : pieces) {
     const dvec3& position = piece.nose.position;
     const LookVectors& here = look.at(position);
-    const double share = piece.nose.edge_share(here.incident, wavenumber) * piece.nose.straightness(here.scattered);
+    const double bent = std::sqrt(piece.nose.straightness(here.incident) * piece.nose.straightness(here.scattered)),
+                 share = bent * piece.nose.edge_share(here.incident, here.scattered, wavenumber);
     if (share <= 0.0 || !is_lit(target, piece.nose, here.incident)) continue;
     ScatteringMatrix s = nose_amplitude(piece.nose, here, wavenumber);
     s *= std::polar(piece.length * share, wavenumber * look.both(position));

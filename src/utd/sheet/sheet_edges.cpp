@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/work.h"
+#include "scene/frequency_bands.h"
 #include "utd/shadow/edge_phase.h"
 
 namespace raytube {
@@ -12,7 +13,7 @@ SheetEdges::SheetEdges(const SheetScene& scene, const LookVectors& look, std::sp
       look_(look),
       frequencies_(frequencies),
       order_(order),
-      strips_(scene, look, wavelength(std::ranges::max(frequencies)), half_planes_) {}
+      strips_(scene, look, wavelength(greatest_frequency(frequencies)), half_planes_) {}
 
 ScatteringMatrix SheetEdges::fringe(const RimLook& rim, double c, const SheetPair& pair, double reach) {
   ScatteringMatrix sum;

@@ -8,6 +8,7 @@
 #include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
+#include "scene/frequency_bands.h"
 #include "utd/fock/face_impedances.h"
 #include "utd/surface/body_widths.h"
 #include "utd/surface/noses.h"
@@ -55,17 +56,22 @@ struct CurvedTarget {
     return surfaces.region(triangle) != no_index && raytube::carries_waves(materials, material(triangle));
   }
 
-  /// What a facet keeps of waves over it: less than 1 where they cross a rounded edge.
-  double wave_share(std::uint32_t triangle, const dvec3& incident, double wavenumber) const {
+  /// What a facet keeps of waves over it: less than 1 where they cross a rounded edge, which has the rest.
+  double wave_share(std::uint32_t triangle, const dvec3& incident, const dvec3& scattered, double wavenumber) const {
     if (noses.empty() || noses[triangle].radius <= 0.0) return 1.0;
     const Nose& nose = noses[triangle];
-    return 1.0 - nose.edge_share(incident, wavenumber) * nose.facet_share(wavenumber, nose.sine_to(incident));
+    const double sine = std::sqrt(nose.sine_to(incident) * nose.sine_to(scattered));
+    return 1.0 - nose.edge_share(incident, scattered, wavenumber) * nose.facet_share(wavenumber, sine);
   }
 
   /// The same of waves that begin in the dark of a facet: on an arc between flat flanks they are those of an edge.
-  double dark_share(std::uint32_t triangle, const dvec3& incident, double wavenumber) const {
-    return noses.empty() || !noses[triangle].is_arc() ? 1.0 : wave_share(triangle, incident, wavenumber);
+  double dark_share(std::uint32_t triangle, const dvec3& incident, const dvec3& scattered, double wavenumber) const {
+    return noses.empty() || !noses[triangle].is_arc() ? 1.0 : wave_share(triangle, incident, scattered, wavenumber);
   }
+
+  /// Whether currents are analytic in the wavenumber, so that few frequencies stand for many: shares of rounded edges have kinks,
+  /// and impedances are known at the frequencies of the look alone.
+  bool is_analytic() const { return noses.empty() && materials.empty(); }
 
   std::vector<Nose> short_noses(double longest) const {
     return noses_in_parts(tracer.mesh(), surfaces, curvatures, edges, lowest, noses, longest);
@@ -90,7 +96,7 @@ struct CurvedTarget {
   }
 
   static double lowest_wavenumber(std::span<const double> frequencies) {
-    return frequencies.empty() ? std::numeric_limits<double>::infinity() : wavenumber(std::ranges::min(frequencies));
+    return frequencies.empty() ? std::numeric_limits<double>::infinity() : wavenumber(least_frequency(frequencies));
   }
 
   const Tracer& tracer;

@@ -5,6 +5,7 @@
 
 #include "core/work.h"
 #include "math/triangle_moments.h"
+#include "scene/frequency_bands.h"
 #include "utd/surface/lit_frame.h"
 
 namespace raytube {
@@ -57,8 +58,8 @@ class LitSide {
  public:
   LitSide(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum, StripPlaces* places)
       : target_(target), look_(look), sum_(sum), places_(places) {
-    lowest_ = std::ranges::min(wavenumbers);
-    highest_ = std::ranges::max(wavenumbers);
+    lowest_ = least_wavenumber(wavenumbers);
+    highest_ = greatest_wavenumber(wavenumbers);
   }
 
   double work() const { return work_; }
@@ -87,7 +88,7 @@ class LitSide {
   struct Point {
     LitFrame frame;
     std::uint32_t triangle;
-    dvec3 incident;
+    dvec3 incident, scattered;
     double path;
     ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
     std::uint32_t material;
@@ -146,7 +147,7 @@ class LitSide {
     const LookVectors& here = look_.at(position);
     const LitFrame frame(target_.frame(facet.triangle, l, facet.side), here.incident);
     const std::uint32_t material = target_.material(facet.triangle);
-    points_.push_back({frame, facet.triangle, here.incident, look_.both(position),
+    points_.push_back({frame, facet.triangle, here.incident, here.scattered, look_.both(position),
                        radiated(here, frame, frame.straight, here.receive), radiated(here, frame, frame.bent, here.receive),
                        material});
     if (material == no_index) return;
@@ -159,7 +160,7 @@ class LitSide {
     const double wide = target_.width_share(target_.tracer.mesh().triangle_component[point.triangle], k);
     if (point.material != no_index) return coated_amplitude(point, k) *= wide;
     const FockCurrents share = lit_share(point.frame, k);
-    const double kept = wide * target_.wave_share(point.triangle, point.incident, k);
+    const double kept = wide * target_.wave_share(point.triangle, point.incident, point.scattered, k);
     ScatteringMatrix hard = point.hard, soft = point.soft;
     return (hard *= kept * share.hard) += soft *= kept * share.soft;
   }
@@ -216,10 +217,10 @@ class LitSide {
 
 double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum,
                         StripPlaces* places) {
-  const double lowest = std::ranges::min(wavenumbers);
+  const double any = wavenumbers.front();  // at all of them waves run over the same bodies
   LitSide lit(target, look, wavenumbers, sum, places);
   for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t) {
-    if (!target.carries_waves(t) || !target.is_wide(target.tracer.mesh().triangle_component[t], lowest)) continue;
+    if (!target.carries_waves(t) || !target.is_wide(target.tracer.mesh().triangle_component[t], any)) continue;
     lit.add(t, 1.0);
     if (!target.tracer.mesh().closed(t)) lit.add(t, -1.0);
   }

@@ -347,6 +347,11 @@ double Nose::edge_share(const dvec3& incident, double wavenumber) const {
   return sharp * lit / (1.0 + eighth);
 }
 
+double Nose::edge_share(const dvec3& incident, const dvec3& scattered, double wavenumber) const {
+  const double in = edge_share(incident, wavenumber), out = edge_share(-scattered, wavenumber);
+  return in > 0.0 && out > 0.0 ? 2.0 * in * out / (in + out) : 0.0;
+}
+
 double Nose::straightness(const dvec3& ray) const {
   const double across = sine_to(ray);
   return across > 0.0 ? 1.0 / (1.0 + std::pow(4.0 * bend / (across * across), 4)) : 0.0;

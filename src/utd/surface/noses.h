@@ -39,6 +39,9 @@ struct Nose {
   /// How much the wave sees of an edge in it, [0, 1]: none in what has no flanks, as cylinders, none where it comes along the
   /// edge, none unless it lights both flanks, if these are not flat.
   double edge_share(const dvec3& incident, double wavenumber) const;
+  /// Of that for a wave from one direction into another one, the same either way round: their harmonic mean, none where either
+  /// direction sees none.
+  double edge_share(const dvec3& incident, const dvec3& scattered, double wavenumber) const;
   /// 1 where the edge is straight for a ray, 1/2 where that bends along it a quarter as much as across.
   double straightness(const dvec3& ray) const;
   /// Share of the section that its facet has for rays at an angle of that sine to the edge, and the integral of it over theta

@@ -28,11 +28,11 @@ class ShadowBoundary {
     link();
   }
 
-  std::vector<BoundaryPiece> take() {
+  std::vector<BoundaryLine> take() {
     done_.assign(crossings_.size(), false);
     for (std::uint32_t i = 0; i < crossings_.size(); ++i)
-      if (!done_[i]) divide(line_through(i));
-    return std::move(pieces_);
+      if (!done_[i]) add_line(line_through(i));
+    return std::move(lines_);
   }
 
  private:
@@ -40,10 +40,6 @@ class ShadowBoundary {
   struct Pass {
     std::uint32_t crossing;
     int first;
-  };
-  struct Place {
-    FacetPoint on;
-    dvec3 position;
   };
   struct EdgeEnd {
     std::uint32_t edge, crossing;
@@ -158,37 +154,19 @@ class ShadowBoundary {
     return found;
   }
 
-  // At a measure from the line's beginning.
-  Place place(const std::vector<Pass>& line, const std::vector<double>& sums, double at) const {
-    const auto after = std::ranges::upper_bound(sums.begin() + 1, sums.end() - 1, at);
-    const Pass& pass = line[static_cast<std::size_t>(after - sums.begin() - 1)];
-    const Crossing& crossing = crossings_[pass.crossing];
-    const double share = crossing.measure > 0.0 ? std::clamp((at - *(after - 1)) / crossing.measure, 0.0, 1.0) : 0.0;
-    return {{crossing.triangle, glm::mix(crossing.ends[pass.first], crossing.ends[1 - pass.first], share)},
-            glm::mix(crossing.points[pass.first], crossing.points[1 - pass.first], share)};
-  }
-
-  void divide(const std::vector<Pass>& line) {
+  void add_line(const std::vector<Pass>& line) {
     std::vector<double> sums{0.0};
-    for (const Pass& pass : line) sums.push_back(sums.back() + crossings_[pass.crossing].measure);
-    const double all = sums.back();
-    if (all <= 0.0) return;
+    std::vector<BoundaryLine::Crossing> crossings;
+    for (const auto& [number, first] : line) {
+      const Crossing& c = crossings_[number];
+      sums.push_back(sums.back() + c.measure);
+      crossings.push_back({c.triangle, {c.ends[first], c.ends[1 - first]}, {c.points[first], c.points[1 - first]}, c.measure});
+    }
+    if (sums.back() <= 0.0) return;
     const bool closed = after(line.back()).crossing == line.front().crossing;
     std::vector<double> ends = closed ? joints(line, sums) : std::vector<double>{0.0};
-    ends.push_back(ends.front() + all);
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) divide(line, sums, closed, ends[i], ends[i + 1]);
-  }
-
-  // A stretch in equal pieces; measures beyond the end of a closed line go on from its beginning, and rounding may put the last
-  // one of an open line there.
-  void divide(const std::vector<Pass>& line, const std::vector<double>& sums, bool closed, double from, double to) {
-    const double all = sums.back(), parts = std::max(1.0, std::ceil(to - from - nothing)), part = (to - from) / parts;
-    const auto at = [&](double i) {
-      const double measure = from + i * part;
-      return place(line, sums, closed && measure > all ? measure - all : measure);
-    };
-    for (double i = 0.0; i < parts && part > nothing; ++i)
-      pieces_.push_back({at(i + 0.5).on, at(i + 1.0).position - at(i).position});
+    ends.push_back(ends.front() + sums.back());
+    lines_.emplace_back(std::move(crossings), closed, std::move(ends));
   }
 
   const CurvedTarget& target_;
@@ -197,12 +175,47 @@ class ShadowBoundary {
   std::vector<Crossing> crossings_;
   std::vector<EdgeEnd> edge_ends_;
   std::vector<bool> done_;
-  std::vector<BoundaryPiece> pieces_;
+  std::vector<BoundaryLine> lines_;
 };
 
 }  // namespace
 
-std::vector<BoundaryPiece> shadow_boundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn) {
+BoundaryLine::BoundaryLine(std::vector<Crossing> crossings, bool closed, std::vector<double> ends)
+    : crossings_(std::move(crossings)), closed_(closed), ends_(std::move(ends)) {
+  for (const Crossing& crossing : crossings_) {
+    sums_.push_back(sums_.back() + crossing.measure);
+    lengths_.push_back(lengths_.back() + glm::distance(crossing.points[0], crossing.points[1]));
+  }
+}
+
+std::vector<BoundaryPiece> BoundaryLine::pieces() const {
+  std::vector<BoundaryPiece> pieces;
+  for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
+    const double parts = std::max(1.0, std::ceil(ends_[i + 1] - ends_[i] - nothing)), part = (ends_[i + 1] - ends_[i]) / parts;
+    for (double n = 0.0; n < parts && part > nothing; ++n)
+      pieces.push_back(piece(ends_[i] + n * part, ends_[i] + (n + 1.0) * part));
+  }
+  return pieces;
+}
+
+BoundaryPiece BoundaryLine::piece(double from, double to) const {
+  const Place middle = place(0.5 * (from + to));
+  return {middle.on, place(to).position - place(from).position, from, to, middle.arc_length};
+}
+
+// Rounding may put the last place of an open line beyond its end.
+BoundaryLine::Place BoundaryLine::place(double at) const {
+  const double all = sums_.back(), round = closed_ ? std::floor(at / all) : 0.0, here = at - round * all;
+  const auto after = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, here);
+  const auto number = static_cast<std::size_t>(after - sums_.begin() - 1);
+  const Crossing& crossing = crossings_[number];
+  const double share = crossing.measure > 0.0 ? std::clamp((here - *(after - 1)) / crossing.measure, 0.0, 1.0) : 0.0;
+  return {{crossing.triangle, glm::mix(crossing.ends[0], crossing.ends[1], share)},
+          glm::mix(crossing.points[0], crossing.points[1], share),
+          round * lengths_.back() + glm::mix(lengths_[number], lengths_[number + 1], share)};
+}
+
+std::vector<BoundaryLine> shadow_boundary(const CurvedTarget& target, const LocalLook& look, double widest, double most_turn) {
   return ShadowBoundary(target, look, widest, most_turn).take();
 }
 

@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "core/work.h"
+#include "math/filon.h"
+#include "scene/frequency_bands.h"
 #include "utd/fock/fock.h"
 #include "utd/fock/impedance_fock.h"
 #include "utd/surface/lit_currents.h"
@@ -21,8 +23,13 @@ namespace raytube {
 namespace {
 
 constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
-// Across strips phases are linear, but for what reaches wedges: there a point stands for the strip.
-constexpr double widest_piece = 1.0 / 4.0, widest_piece_to_wedges = 1.0 / 6.0;  // of the wavelength
+constexpr double widest_piece = 1.0 / 4.0;  // of the wavelength, of the shadow boundary: across strips phases are linear
+// Strips that arrive at wedges farther apart have others between them, down to so small a part of a piece of the boundary. Where
+// halves bring their ends no nearer, twice in a row, these stand on different edges.
+constexpr double ends_apart = 1.0 / 6.0;  // of the wavelength
+constexpr double least_part = 1.0 / 64.0;
+constexpr double no_nearer = 0.75;
+constexpr int most_jumps = 2;
 constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
 constexpr double phase_bend = 0.2;        // k kappa h^2 over a step h [rad]
 constexpr double fock_step = 0.3;         // of xi
@@ -46,19 +53,29 @@ struct DarkStrip {
   StripPoint q;  // of the boundary
   std::uint32_t component;
   std::uint32_t triangle;                    // where it begins
-  dvec3 incident;                            // at q
+  dvec3 incident, scattered;                 // at q
   std::uint32_t material;                    // no_index: a perfect conductor
   dvec3 chord;                               // of its piece of that [m]
   double across;                             // its width there [m]
   std::array<double, 2> magnetic, electric;  // H and E of the wave there along the binormal, transmit V and H
   StripPoint end;
   StripWidth width;
+  bool radiates;
   DarkWay way{};
   double clearance = std::numeric_limits<double>::infinity();  // the least radius of the cone of a tip on the way [m]
   double s = 0.0, since = 0.0;                                 // from q, and from where the current was put last [m]
   double used = 0.0;                                           // of the longest step from there
   Complex area = 0.0;                                          // of that: root of the widths there and at q, with the caustics
   double path = 0.0;                                           // of that, in phase [m]
+};
+
+/// A strip that has arrived at a wedge, one point of the integral over all that do.
+struct StripArrival {
+  double at;  // arc length of its start along the line of the boundary [m]
+  SurfaceArrival arrival;
+  std::array<double, 2> magnetic;  // of DarkStrip
+  std::vector<Complex> current;  // [frequency], half of it for unit H, times the strip's width over that of its piece of the line
+  std::vector<Complex> weight;   // [frequency], of the integral along the line, with the phase [m]
 };
 
 std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
@@ -78,20 +95,19 @@ class SurfaceLook {
         rays_(rays),
         tips_(tips),
         wavenumbers_(wavenumbers_of(frequencies)),
-        band_(wavenumbers_, places != nullptr) {
-    shortest_ = 2 * pi / std::ranges::max(wavenumbers_);
-    lowest_ = std::ranges::min(wavenumbers_);
-    highest_ = std::ranges::max(wavenumbers_);
+        band_(wavenumbers_, places != nullptr || !target.is_analytic()) {
+    highest_ = greatest_wavenumber(wavenumbers_);
+    lowest_ = least_wavenumber(wavenumbers_);
+    shortest_ = 2 * pi / highest_;
     result_.scattering.resize(frequencies.size());
     sum_.emplace(band_, (longest_step + widest_piece) * shortest_, places);
     amplitudes_.resize(sum_->wavenumbers().size());
   }
 
   SurfaceWaveResult take() {
-    for (const BoundaryPiece& piece : shadow_boundary(target_, look_, widest() * shortest_, most_turn)) {
-      if (!runs_over(piece.middle.triangle)) continue;
-      add_strip(piece, 1.0);
-      if (!mesh_.closed(piece.middle.triangle)) add_strip(piece, -1.0);
+    for (const BoundaryLine& line : shadow_boundary(target_, look_, widest_piece * shortest_, most_turn)) {
+      add_strips(line, 1.0);
+      add_strips(line, -1.0);
     }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       if (runs_over(t) && target_.surfaces.conducts(t)) find_far_sides(t);
@@ -102,16 +118,93 @@ class SurfaceLook {
   }
 
  private:
-  // A piece of the boundary, of the wavelength.
-  double widest() const {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (int c = 0; c < 3 && target_.surfaces.conducts(t); ++c)
-        if (target_.surfaces.on_boundary(t, c)) return widest_piece_to_wedges;
-    return widest_piece;
+  // Of all pieces of a line. What of it arrives at wedges is integrated along the line: where strips graze the wedge their ends
+  // are far apart there, and phases turn by more than one piece stands for.
+  void add_strips(const BoundaryLine& line, double side) {
+    std::vector<std::optional<StripArrival>> arrivals;
+    const std::vector<BoundaryPiece> pieces = line.pieces();
+    for (const BoundaryPiece& piece : pieces) arrivals.push_back(strip_of(piece, side, true));
+    if (pieces.empty() || std::ranges::none_of(arrivals, [](const auto& arrival) { return arrival.has_value(); })) return;
+    if (line.closed() && pieces.size() > 1) {
+      const auto middle = [](const BoundaryPiece& piece) { return 0.5 * (piece.from + piece.to); };
+      for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+        integrate(line, side, middle(pieces[i]), middle(pieces[i + 1]), arrivals[i], arrivals[i + 1]);
+      if (arrivals.front()) arrivals.front()->at += line.length();
+      integrate(line, side, middle(pieces.back()), middle(pieces.front()) + line.measure(), arrivals.back(), arrivals.front());
+    } else {
+      double last = 0.0;
+      std::optional<StripArrival> before = strip_at(line, side, 0.0);
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const double middle = 0.5 * (pieces[i].from + pieces[i].to);
+        integrate(line, side, last, middle, i == 0 ? before : arrivals[i - 1], arrivals[i]);
+        last = middle;
+      }
+      std::optional<StripArrival> after = strip_at(line, side, line.measure());
+      integrate(line, side, last, line.measure(), arrivals.back(), after);
+      put(before), put(after);
+    }
+    for (std::optional<StripArrival>& arrival : arrivals) put(arrival);
   }
 
+  // How far from one another strips arrive [m].
+  static double distance(const std::optional<StripArrival>& a, const std::optional<StripArrival>& b) {
+    return a && b ? glm::distance(a->arrival.position, b->arrival.position) : std::numeric_limits<double>::infinity();
+  }
+
+  // Between the strips of two places on a line, of which so many halves in a row brought them no nearer.
+  void integrate(const BoundaryLine& line, double side, double from, double to, std::optional<StripArrival>& a,
+                 std::optional<StripArrival>& b, int jumps = 0) {
+    if (!a && !b) return;
+    const double apart = distance(a, b);
+    if (apart <= ends_apart * shortest_) return add_between(*a, *b);
+    if (to - from > least_part && jumps < most_jumps) {
+      const double middle = 0.5 * (from + to);
+      std::optional<StripArrival> between = strip_at(line, side, middle);
+      const auto jumps_to = [&](double nearer) { return nearer < no_nearer * apart ? 0 : jumps + 1; };
+      integrate(line, side, from, middle, a, between, jumps_to(distance(a, between)));
+      integrate(line, side, middle, to, between, b, jumps_to(distance(between, b)));
+      return put(between);
+    }
+    // They end on different lines of edges, or one of them on none.
+    const double half = 0.5 * (line.arc_length(to) - line.arc_length(from));
+    for (std::optional<StripArrival>* one : {&a, &b})
+      for (std::size_t f = 0; *one && f < wavenumbers_.size(); ++f)
+        (*one)->weight[f] += std::polar(half, wavenumbers_[f] * (*one)->arrival.path);
+  }
+
+  // Amplitudes and phases linear from one to the other.
+  void add_between(StripArrival& a, StripArrival& b) const {
+    const double length = b.at - a.at;
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const double k = wavenumbers_[f];
+      const FilonStep filon = filon_step(k * a.arrival.path, k * b.arrival.path);
+      a.weight[f] += length * (filon.even - filon.odd);
+      b.weight[f] += length * (filon.even + filon.odd);
+    }
+  }
+
+  void put(std::optional<StripArrival>& strip) {
+    if (!strip) return;
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const Complex current = strip->current[f] * strip->weight[f];
+      strip->arrival.magnetic.push_back({current * strip->magnetic[0], current * strip->magnetic[1]});
+    }
+    result_.arrivals.push_back(std::move(strip->arrival));
+  }
+
+  // At a place on a line, of a small part of a piece there, for what arrives at wedges alone.
+  std::optional<StripArrival> strip_at(const BoundaryLine& line, double side, double at) {
+    const double half = 0.5 * least_part;
+    const double all = line.measure(), from_end = std::min(half, 0.5 * all);
+    const double middle = line.closed() ? at : std::clamp(at, from_end, all - from_end);
+    std::optional<StripArrival> strip = strip_of(line.piece(middle - half, middle + half), side, false);
+    if (strip) strip->at = line.arc_length(at);
+    return strip;
+  }
+
+  // Waves run over the same bodies at all frequencies.
   bool runs_over(std::uint32_t triangle) const {
-    return target_.carries_waves(triangle) && target_.is_wide(mesh_.triangle_component[triangle], lowest_);
+    return target_.carries_waves(triangle) && target_.is_wide(mesh_.triangle_component[triangle], wavenumbers_.front());
   }
 
   // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
@@ -147,27 +240,23 @@ class SurfaceLook {
     }
   }
 
+  // The wave comes and goes over the part's whole width.
   void add_far_side(const FacetPoint& start, int corner, const dvec3& width, double side) {
     const dvec3 incident = incident_at(start);
     StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
     const double grazing = -glm::dot(incident, q.normal);
     const LitFrame frame(target_.frame(start.triangle, start.l, side), incident);
     if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, incident)) return;
-    const double across = std::abs(glm::dot(width, q.binormal));
+    const double across = std::abs(glm::dot(width, q.binormal)),
+                 half_path = 0.5 * glm::dot(width, incident - look_.at(q.position).scattered);
     ++result_.strips;
     const LookVectors& here = look_.at(q.position);
     const std::array<double, 2> magnetic = along(here.magnetic, q.binormal);
-    arrive({start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}}, magnetic,
-           [&](double k) {
-             return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_share(frame, k).hard;
-           });
-  }
-
-  // A hard current reaches the end of the surface: half(k) of it, times its width, for unit H along the binormal of its start,
-  // where that is `magnetic`.
-  template <class Half>
-  void arrive(SurfaceArrival arrival, const std::array<double, 2>& magnetic, Half half) {
-    const std::vector<Complex> currents = band_.everywhere(half);
+    SurfaceArrival arrival{start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}};
+    const std::vector<Complex> currents = band_.everywhere([&](double k) {
+      return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_share(frame, k).hard *
+             sinc(k * half_path);
+    });
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * arrival.path);
       arrival.magnetic.push_back({current * magnetic[0], current * magnetic[1]});
@@ -193,21 +282,29 @@ class SurfaceLook {
     return point;
   }
 
-  void add_strip(const BoundaryPiece& piece, double side) {
+  // The strip of a piece of the boundary, and what of it arrives at a wedge; its own current counts only if it `radiates`.
+  std::optional<StripArrival> strip_of(const BoundaryPiece& piece, double side, bool radiates) {
     const FacetPoint& start = piece.middle;
+    if (!runs_over(start.triangle) || (side < 0.0 && mesh_.closed(start.triangle))) return {};
     const dvec3 incident = incident_at(start);
     const StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
     const double across = std::abs(glm::dot(piece.chord, q.binormal));
-    if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return;
-    if (!target_.is_lit(q.position, q.normal, incident)) return;
+    if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return {};
+    if (!target_.is_lit(q.position, q.normal, incident)) return {};
     ++result_.strips;
     // Rays of one antenna along the surface part as they come: the derivative of d over the boundary is its chord across d / R.
     const StripWidth width{across, across * look_.spreading(q.position)};
     const LookVectors& here = look_.at(q.position);
-    follow_dark(start, incident,
-                DarkStrip{q, mesh_.triangle_component[start.triangle], start.triangle, incident, target_.material(start.triangle),
-                          piece.chord, across, along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width},
-                side);
+    std::optional<StripArrival> arrival =
+        follow_dark(start, incident,
+                    DarkStrip{q, mesh_.triangle_component[start.triangle], start.triangle, incident, here.scattered,
+                              target_.material(start.triangle), piece.chord, across, along(here.magnetic, q.binormal),
+                              along(here.electric, q.binormal), q, width, radiates},
+                    side);
+    if (!arrival) return {};
+    arrival->at = piece.arc_length;
+    for (Complex& current : arrival->current) current /= glm::length(piece.chord);
+    return arrival;
   }
 
   // Over so much of a strip the current, and the rate of its phase, change by little [m].
@@ -253,7 +350,8 @@ class SurfaceLook {
   // What strips from all round bring to a tip is of order 1 about its axis: closer to that than k rho = 1 there is none, as on
   // the cone laid flat, where it is J of order 1 / sin(half angle), of k rho over that sine. What goes out again is the tip's.
   FockCurrents currents(const DarkStrip& strip, double k) const {
-    double share = target_.width_share(strip.component, k) * target_.dark_share(strip.triangle, strip.incident, k);
+    double share =
+        target_.width_share(strip.component, k) * target_.dark_share(strip.triangle, strip.incident, strip.scattered, k);
     if (!tips_.empty()) share *= -std::expm1(-std::pow(k * strip.clearance, 2));
     FockCurrents fock = fock_currents(strip, k);
     fock.hard *= share, fock.soft *= share;
@@ -294,16 +392,21 @@ class SurfaceLook {
   // hangs on whether one of them is given up.
   static double spread_share(double spread) { return 1.0 / (1.0 + std::pow(spread / fading_spread, 4)); }
 
+  void radiate_to_end(const DarkStrip& strip) {
+    set_amplitudes(strip);
+    result_.work += work::surface_frequency * static_cast<double>(amplitudes_.size());
+    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, strip.width.width, amplitudes_);
+    if (rays_ != nullptr) keep_end(strip);
+  }
+
   // The current at the strip's end, and what lies between it and the last one.
   void put_end(DarkStrip& strip) {
     const double width = std::abs(strip.width.width);
     strip.area =
         std::polar(spread_share(width / strip.across) * std::sqrt(strip.across * width), 0.5 * pi * strip.width.caustics);
     strip.path = look_.leaving(strip.end.position) + look_.arriving(strip.q.position) - strip.s;
-    set_amplitudes(strip);
-    result_.work += work::surface_step + work::surface_frequency * static_cast<double>(amplitudes_.size());
-    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, strip.width.width, amplitudes_);
-    if (rays_ != nullptr) keep_end(strip);
+    result_.work += work::surface_step;
+    if (strip.radiates) radiate_to_end(strip);
     strip.since = strip.used = 0.0;
   }
 
@@ -347,23 +450,28 @@ class SurfaceLook {
     return true;
   }
 
-  void follow_dark(const FacetPoint& start, const dvec3& incident, DarkStrip strip, double side) {
+  std::optional<StripArrival> follow_dark(const FacetPoint& start, const dvec3& incident, DarkStrip strip, double side) {
     put_end(strip);
     Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, incident);
     GeodesicPiece piece{start, start.l, incident};
     bool goes_on = true;
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
     if (strip.since > 0.0) put_end(strip);
-    if (!goes_on || geodesic.ended_at() < 0 || strip.material != no_index) return;
-    arrive({piece.from.triangle,
-            geodesic.ended_at(),
-            side < 0.0,
-            strip.end.position,
-            strip.end.along,
-            strip.q.position,
-            strip.path,
-            {}},
-           strip.magnetic, [&](double k) { return 0.5 * strip.area * currents(strip, k).hard; });
+    if (!goes_on || geodesic.ended_at() < 0 || strip.material != no_index) return {};
+    StripArrival result{0.0,
+                        {piece.from.triangle,
+                         geodesic.ended_at(),
+                         side < 0.0,
+                         strip.end.position,
+                         strip.end.along,
+                         strip.q.position,
+                         strip.path,
+                         {}},
+                        strip.magnetic,
+                        band_.everywhere([&](double k) { return 0.5 * strip.area * currents(strip, k).hard; }),
+                        {}};
+    result.weight.resize(wavenumbers_.size());
+    return result;
   }
 
   const CurvedTarget& target_;

@@ -28,29 +28,29 @@ struct TipSide {
   bool has_rim;
 };
 
-/// A tip as a radar sees it from behind.
+/// A tip as an antenna sees it from behind.
 struct TipLook {
   const Tip& tip;
-  const LookVectors& look;
-  dvec3 across;   // to the radar, across the axis; unit
-  double behind;  // angle of the look to the axis [rad]
+  dvec3 towards;  // to the antenna; unit
+  dvec3 across;   // the same across the axis
+  double behind;  // angle of that direction to the axis [rad]
 
   double beyond() const { return behind - tip.half_angle; }
   /// Angle of the look above that side, < 0 in the dark [rad].
   double above(double sign) const { return sign * behind - tip.half_angle; }
-  /// Of the side that is turned to the radar, sign 1, or away from it, -1.
+  /// Of the side that is turned to the antenna, sign 1, or away from it, -1.
   bool in_the_dark(double sign) const { return sign < 0.0 || beyond() < 0.0; }
   dvec3 side(double sign) const { return sign * std::sin(tip.half_angle) * across - std::cos(tip.half_angle) * tip.outwards; }
-  /// Across the look, in the plane of the axis.
+  /// Across that direction, in the plane of the axis.
   dvec3 in_plane() const { return std::cos(behind) * across + std::sin(behind) * tip.outwards; }
 };
 
-std::optional<TipLook> seen_from_behind(const Tip& tip, const LookVectors& look) {
-  const double c = -glm::dot(tip.outwards, look.scattered);
-  const dvec3 across = look.scattered + c * tip.outwards;
+std::optional<TipLook> seen_from_behind(const Tip& tip, const dvec3& towards) {
+  const double c = -glm::dot(tip.outwards, towards);
+  const dvec3 across = towards + c * tip.outwards;
   const double s = glm::length(across);
   if (c <= 0.0 || s < 1e-6) return std::nullopt;
-  return TipLook{tip, look, across / s, std::atan2(s, c)};
+  return TipLook{tip, towards, across / s, std::atan2(s, c)};
 }
 
 // The point where the side of a tip leaves the facets at it: normals at the tip itself are none of its surface.
@@ -125,7 +125,7 @@ std::optional<TipSide> side_to_rim(const WayDown& way, double wavelength) {
 
 std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, double sign, double wavelength) {
   WayDown way(target, seen, sign, start_of(target.tracer.mesh(), seen, sign), wavelength);
-  const auto dark = [&] { return glm::dot(way.normal(), seen.look.incident) >= 0.0; };
+  const auto dark = [&] { return glm::dot(way.normal(), seen.towards) <= 0.0; };
   while (way.length() < over * wavelength || (seen.in_the_dark(sign) && dark()))
     if (!way.go_on()) return side_to_rim(way, wavelength);
   const TipSide bent = way.so_far(false);
@@ -164,15 +164,15 @@ struct TipRay {
 // Strips that come out of the dark have narrowed: about an axis a fan from the tip is rho / sin(half angle) wide (Clairaut), and
 // what begins parallel at the boundary, where the body runs along the look, is at the tip by the slope of that as wide,
 // sin(look) / sin(half angle).
-std::optional<TipRay> ray_along(const CurvedTarget& target, const TipLook& seen, double sign, LocalLook& look,
-                                double wavelength) {
+template <class Phase>
+std::optional<TipRay> ray_along(const CurvedTarget& target, const TipLook& seen, double sign, Phase phase, double wavelength) {
   const std::optional<TipSide> side = side_of(target, seen, sign, wavelength);
   if (!side) return std::nullopt;
   const bool is_far_rim = side->has_rim && sign < 0.0;  // a body behind it does not hide the axis, on which both cancel
-  if (!is_far_rim && !target.is_lit(side->position, side->normal, seen.look.incident)) return std::nullopt;
-  if (!seen.in_the_dark(sign)) return TipRay{*side, seen.above(sign), 0.5 * look.both(seen.tip.position), 1.0, false};
+  if (!is_far_rim && !target.is_lit(side->position, side->normal, -seen.towards)) return std::nullopt;
+  if (!seen.in_the_dark(sign)) return TipRay{*side, seen.above(sign), phase(seen.tip.position), 1.0, false};
   const double narrowed = std::sqrt(std::sin(seen.tip.half_angle) / std::sin(seen.behind));
-  return TipRay{*side, seen.above(sign), 0.5 * look.both(side->position) - side->length, narrowed, true};
+  return TipRay{*side, seen.above(sign), phase(side->position) - side->length, narrowed, true};
 }
 
 // Behind the edge of a half plane (Sommerfeld 1896): erfc(-e^{j pi/4} x)/2 with x = sqrt(2 k L) sin(above/2), in the dark over
@@ -206,33 +206,44 @@ class TipSum {
   TipSum(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, StripPlaces* places)
       : target_(target), look_(look), wavenumbers_(wavenumbers), places_(places), sum_(wavenumbers.size()) {}
 
+  // The wave goes to the tip and comes from it as the two antennas see it, each by itself: the same either way round. Between
+  // them the cone's amplitude is the mean of what it is for either, and that of one antenna where they stand together.
   void add(const Tip& tip) {
     const LookVectors here = look_.at(tip.position);
-    const std::optional<TipLook> seen = seen_from_behind(tip, here);
-    if (!seen) return;
-    const Complex at_cone = fade(seen->behind) * amplitude(tip.half_angle, seen->beyond());
+    const std::optional<TipLook> in = seen_from_behind(tip, -here.incident), out = seen_from_behind(tip, here.scattered);
+    if (!in || !out) return;
+    const bool together = in->towards == out->towards;
+    const Complex at_cone = std::sqrt(fade(in->behind) * fade(out->behind)) * 0.5 *
+                            (amplitude(tip.half_angle, in->beyond()) + amplitude(tip.half_angle, out->beyond()));
     for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
       const double k = wavenumbers_[i];
-      const std::optional<TipRay> near = ray_along(target_, *seen, 1.0, look_, 2 * pi / k);
-      if (!near) continue;
-      const std::optional<TipRay> far = ray_along(target_, *seen, -1.0, look_, 2 * pi / k);
-      if (near->side.has_rim && near->dark && !far) continue;  // alone it has no bound on the axis
-      const Complex share = both_shares(*near, far, k, target_.tracer.mesh().radius);
-      put(i, *seen, at_cone * share * share / k);
+      const std::optional<Complex> arriving = share(*in, k, [&](const dvec3& point) { return look_.arriving(point); });
+      const std::optional<Complex> leaving =
+          together ? arriving : share(*out, k, [&](const dvec3& point) { return look_.leaving(point); });
+      if (arriving && leaving) put(i, here, *in, *out, at_cone * *arriving * *leaving / k);
     }
   }
 
   std::vector<ScatteringMatrix> take() { return std::move(sum_); }
 
  private:
-  void put(std::size_t i, const TipLook& seen, const Complex& value) {
-    const dvec3 axis = seen.in_plane();
+  // Of the current at the tip, over that on a flat side.
+  template <class Phase>
+  std::optional<Complex> share(const TipLook& seen, double k, Phase phase) const {
+    const std::optional<TipRay> near = ray_along(target_, seen, 1.0, phase, 2 * pi / k);
+    if (!near) return std::nullopt;
+    const std::optional<TipRay> far = ray_along(target_, seen, -1.0, phase, 2 * pi / k);
+    if (near->side.has_rim && near->dark && !far) return std::nullopt;  // alone it has no bound on the axis
+    return both_shares(*near, far, k, target_.tracer.mesh().radius);
+  }
+
+  void put(std::size_t i, const LookVectors& look, const TipLook& in, const TipLook& out, const Complex& value) {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
       for (int t = 0; t < 2; ++t)
-        s.at(p, t) = value * glm::dot(seen.look.receive[p], axis) * glm::dot(seen.look.electric[t], axis);
+        s.at(p, t) = value * glm::dot(look.receive[p], out.in_plane()) * glm::dot(look.electric[t], in.in_plane());
     sum_[i] += s;
-    if (places_ != nullptr && places_->wavenumber == i) places_->pieces.push_back({seen.tip.position, seen.tip.position, s});
+    if (places_ != nullptr && places_->wavenumber == i) places_->pieces.push_back({in.tip.position, in.tip.position, s});
   }
 
   const CurvedTarget& target_;

@@ -1,4 +1,4 @@
-// What sharp tips send back to a radar behind them.
+// What sharp tips send back to antennas behind them.
 //
 // E in the plane of the axis: the wave that grazes the body runs along it to the tip and returns, which physical optics lacks;
 // its amplitude is that of an infinite cone's tip, k S = A(half angle, look), tip_table.h. Where the body bends on the way to the
@@ -11,7 +11,7 @@
 
 namespace raytube {
 
-/// S [m] at each wavenumber; transmitter and receiver in one place.
+/// S [m] at each wavenumber. Valid for one antenna, and for two where the cone's amplitude differs little from one to the other.
 std::vector<ScatteringMatrix> tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look,
                                              std::span<const double> wavenumbers, StripPlaces* places);
 
