@@ -41,8 +41,6 @@ inline constexpr double lit_point = 250.0;          // one point of the lit side
 inline constexpr double lit_frequency = 50.0;       // the current there, at one frequency
 
 // Tubes (sbr).
-inline constexpr double tube = 4000.0;          // one tube or cell launched
-inline constexpr double tube_ray = 1500.0;      // one of its rays
-inline constexpr double tube_frequency = 60.0;  // its current, at one frequency
+inline constexpr double tube_ray = 1500.0;  // one ray of a tube
 
 }  // namespace raytube::work

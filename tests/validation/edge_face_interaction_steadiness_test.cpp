@@ -106,7 +106,7 @@ TEST(EdgeFaceInteraction, OnTheBorderOfABeamCountsTheMeanOfItsSides) {
 }
 
 TEST(EdgeFaceInteraction, BesideABorderOfABeamNothingJumps) {
-  // On the border, and within 1e-7 rad of it, means of both sides count: of the light, and of the wave over the rim where it
+  // On the border, and within 1e-5 rad of it, means of both sides count: of the light, and of the wave over the rim where it
   // ends. Steps from inside of that to outside; where the two did not agree on what is inside, S was off by 0.17 to 0.34
   // wavelengths.
   const Prober dihedral(shapes::dihedral(3 * lambda, 3 * lambda));

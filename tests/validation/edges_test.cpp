@@ -188,9 +188,10 @@ TEST(EdgeOrders, HalfHiddenEdgeEqualsTheEdgeCutInTheMesh) {
 }
 
 TEST(EdgeOrders, DefaultPointsAlongAnEdgeAreEnough) {
-  // The points are chosen for the top of the band of the highest frequency that is solved together with it: six times it gives six
-  // times the points, whose S is exact here. Measured 2.4e-4 wavelengths. From (118.4, 36.5) degrees strips run 2e-5 rad beside a diagonal
-  // of the plate and end almost in its corner; where the rule did not see their root there, the error was 1.2e-3.
+  // The points are chosen for the top of the band of the highest frequency that is solved together with it: six times it gives
+  // six times the points, whose S is exact here. Measured 2.4e-4 wavelengths. From (118.4, 36.5) degrees strips run 2e-5 rad
+  // beside a diagonal of the plate and end almost in its corner; where the rule did not see their root there, the error
+  // was 1.2e-3.
   const EdgeTarget plate(shapes::plate(3));
   const double alone[] = {frequency}, with_higher[] = {frequency, 6 * frequency};
   double worst = 0.0;

@@ -136,16 +136,21 @@ TEST(Estimate, OfAVehicleIsSharp) {
   EXPECT_LE(quantile(ratios, 0.5), 2.8);
 }
 
-// Where the tolerance is exceeded, what is left is within the share of the model uncertainty that every row is told with; without
-// that share it is met (ToleranceIsMet).
-TEST(Estimate, StopsAtAShareOfTheModelUncertainty) {
-  const PolygonSoup soup = shapes::icosphere(4, 1.5);
+SolveOptions sampled(double tolerance_db, double model_share) {
   SolveOptions o = options(EdgeMethod::none);
   o.tubes.mode = TubeMode::adaptive;
   o.tubes.curved = CurvedSurfaces::never;
   o.tubes.max_per_wavelength = 100.0;
-  o.tubes.tolerance_db = 0.5;
-  o.tubes.model_share = 1.0;  // a quarter of it is below the tolerance here
+  o.tubes.tolerance_db = tolerance_db;
+  o.tubes.model_share = model_share;
+  return o;
+}
+
+// Where the tolerance is exceeded, what is left is within the share of the model uncertainty that every row is told with; without
+// that share it is met (ToleranceIsMet).
+TEST(Estimate, StopsAtAShareOfTheModelUncertainty) {
+  const PolygonSoup soup = shapes::icosphere(4, 1.5);
+  const SolveOptions o = sampled(0.5, 1.0);  // a quarter of the model uncertainty is below the tolerance here
   const Sweep sweep = looks(1.0, 6);
   const SweepResult result = solve_soup(soup, sweep, o);
   const double tolerance = relative_tolerance(o.tubes.tolerance_db);
@@ -160,15 +165,9 @@ TEST(Estimate, StopsAtAShareOfTheModelUncertainty) {
 // A sphere of many small facets is sampled; cells get smaller until the tolerance is met.
 TEST(Estimate, ToleranceIsMet) {
   const PolygonSoup soup = shapes::icosphere(4, 1.5);
-  SolveOptions o = options(EdgeMethod::none);
-  o.tubes.mode = TubeMode::adaptive;
-  o.tubes.curved = CurvedSurfaces::never;
-  o.tubes.max_per_wavelength = 100.0;
   const Sweep sweep = looks(1.0, 6);
-  o.tubes.model_share = 0.0;
   for (const double tolerance_db : {0.5, 0.1}) {
-    o.tubes.tolerance_db = tolerance_db;
-    const SweepResult result = solve_soup(soup, sweep, o);
+    const SweepResult result = solve_soup(soup, sweep, sampled(tolerance_db, 0.0));
     for (std::size_t row = 0; row < sweep.rows(); ++row)
       EXPECT_LE(result.error[row][0][0], (std::pow(10.0, tolerance_db / 20.0) - 1.0) * std::abs(result.total[row].vv()));
   }
@@ -177,12 +176,7 @@ TEST(Estimate, ToleranceIsMet) {
 // Of a band, rows of higher frequencies ask for denser grids than those of lower ones, and get what they get alone.
 TEST(Estimate, RowsAskForGridsOfTheirOwn) {
   const PolygonSoup soup = shapes::icosphere(4, 1.5);
-  SolveOptions o = options(EdgeMethod::none);
-  o.tubes.mode = TubeMode::adaptive;
-  o.tubes.curved = CurvedSurfaces::never;
-  o.tubes.max_per_wavelength = 100.0;
-  o.tubes.model_share = 0.0;
-  o.tubes.tolerance_db = 2.0;  // coarse enough for cells
+  const SolveOptions o = sampled(2.0, 0.0);  // coarse enough for cells
   Sweep sweep = looks(1.0, 3);
   const std::vector<double> frequencies{0.2e9, 0.24e9, 0.27e9, 0.3e9};
   sweep.frequencies = frequencies;

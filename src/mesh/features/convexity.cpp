@@ -12,7 +12,6 @@ namespace {
 
 // Bounds the time that corners shared by very many facets could take.
 constexpr std::uint64_t most_comparisons = 100'000'000;
-constexpr double rounding_steps = 4.0;
 constexpr double most_reach = 100.0;  // of slivers
 
 // What rises less above a plane is not met by a ray that leaves it (ExactHit::ahead), or is no more than files leave of plane

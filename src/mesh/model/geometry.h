@@ -1,4 +1,4 @@
-// Small geometry and the two tolerances of the mesh room.
+// Small geometry and the tolerances of the mesh room.
 #pragma once
 
 #include <array>
@@ -17,6 +17,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 inline constexpr double weld_fraction = 1e-7;
 /// Vertices this fraction of the diagonal beside a plane or a line lie on it: what six digits of a text file leave of flat faces.
 inline constexpr double flat_fraction = 2e-6;
+
+/// And vertices so many steps of rounded coordinates (TriangleMesh::coordinate_step) beside a plane through others.
+inline constexpr double rounding_steps = 4.0;
 
 /// Of least size round points, sides along the axes; inside out while it holds none.
 struct Box {

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double normal_tolerance = 3e-3;   // [rad]
 constexpr double far_nearer = 1e-3;         // times the distance: such a difference says where a sliver belongs
-constexpr double rounding_steps = 4.0;      // of coordinates, by which a vertex may be off a plane through rounded ones
 constexpr double farthest_steps = 12.0;     // that it is moved: farther only if planes meet nearly along it
 constexpr double exact = 1e-13;             // of the extent: nothing to mend
 constexpr double least_sine = 0.05;         // of a plane to others, that vertices are put on

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/work.h"
+#include "mesh/model/geometry.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
 #include "scene/frequency_bands.h"
@@ -39,8 +39,7 @@ constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
 // convex (Cauchy) [m]. It hangs on no row and no look.
 double isotropic_level(const TriangleMesh& mesh) {
   double area = 0.0;
-  for (const Triangle& t : mesh.triangles)
-    area += 0.5 * glm::length(glm::cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]));
+  for (const Triangle& t : mesh.triangles) area += 0.5 * glm::length(area_vector(mesh.vertices, t));
   return std::sqrt(area / 4.0 / (4.0 * pi));
 }
 
@@ -159,8 +158,8 @@ InteractionLimits interaction_limits(const SolvePlan& plan) {
   const double budget = plan.edges.interaction_budget,
                look = work_of_patch * static_cast<double>(target.mesh.patches.size()) + work_of_edge * edges;
   return {interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), isotropic_level(target.mesh)),
-          budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity(),
-          nullptr, plan.edges.interaction.forced() ? 0.0 : least_reach};
+          budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity(), nullptr,
+          plan.edges.interaction.forced() ? 0.0 : least_reach};
 }
 
 }  // namespace raytube

@@ -20,7 +20,7 @@ class EdgePanels {
     std::uint32_t size() const { return end - first; }
   };
 
-  /// `wavelength` is the shortest of the look [m].
+  /// `wavelength` is the shortest of the band [m].
   explicit EdgePanels(double wavelength) : wavelength_(wavelength) {}
 
   /// Lays the panels of a tree on the lit pieces of its first edge, which is `length` [m] long.
