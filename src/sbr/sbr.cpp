@@ -305,7 +305,7 @@ void drop_passed(std::vector<LookPart>& parts, const std::vector<RowGroup>& open
     for (std::size_t i = 0; i < parts[p].blocks.size() && !open.empty(); ++i) {
       std::map<int, TubeSums>& block = parts[p].blocks[i];
       const auto rung_of = [&](const RowGroup& group) { return group.rungs[p][i]; };
-      block.erase(block.begin(), block.lower_bound(std::ranges::min(open | std::views::transform(rung_of))));
+      block.erase(block.begin(), block.lower_bound(rung_of(*std::ranges::min_element(open, {}, rung_of))));
     }
 }
 

@@ -44,8 +44,8 @@ class FaceGroups {
 
   std::uint32_t size() const { return members_.empty() ? 0 : members_.back().first + 1; }
   std::uint32_t group_of(std::uint32_t triangle) const { return group_[triangle]; }
-  auto triangles(std::uint32_t group) const { return std::ranges::equal_range(members_, group, {}, first_of); }
-  auto outline(std::uint32_t group) const { return std::ranges::equal_range(outlines_, group, {}, first_of); }
+  auto triangles(std::uint32_t group) const { return entries_of(members_, group); }
+  auto outline(std::uint32_t group) const { return entries_of(outlines_, group); }
 
   /// The outline without the vertices on its straight sides, in an order of its own.
   Chains chains(std::uint32_t group) const {
@@ -106,11 +106,16 @@ class FaceGroups {
 
   /// All corners are on the outline, as those of a polygon in the file.
   bool is_polygon(std::uint32_t group) const {
-    return std::ranges::size(triangles(group)) + 2 == std::ranges::size(outline(group));
+    return triangles(group).size() + 2 == outline(group).size();
   }
 
  private:
-  static constexpr auto first_of = [](const auto& entry) { return entry.first; };
+  // Entries that begin with this number, of a sorted list. As a span: clang 14 does not know the subranges of GCC 12's library.
+  template <class Entry>
+  static std::span<const Entry> entries_of(const std::vector<Entry>& entries, std::uint32_t first) {
+    const auto first_of = [](const Entry& entry) { return entry.first; };
+    return {std::ranges::lower_bound(entries, first, {}, first_of), std::ranges::upper_bound(entries, first, {}, first_of)};
+  }
 
   bool alike(std::uint32_t a, std::uint32_t b) const {
     return facets_.material(a) == facets_.material(b) && (facets_.parts.empty() || facets_.parts[a] == facets_.parts[b]);
@@ -118,13 +123,9 @@ class FaceGroups {
 
   dvec3 apex(const EdgeTable::Side& side) const { return vertices_[facets_.triangles[side.triangle][(side.corner + 2) % 3]]; }
 
-  static auto steps_from(const std::vector<Ends>& steps, std::uint32_t vertex) {
-    return std::ranges::equal_range(steps, vertex, {}, first_of);
-  }
-
   bool is_corner(const std::vector<Ends>& steps, std::uint32_t vertex) const {
-    const auto on = steps_from(steps, vertex);
-    if (std::ranges::size(on) != 2) return true;
+    const auto on = entries_of(steps, vertex);
+    if (on.size() != 2) return true;
     const dvec3 &a = vertices_[on[0].second], &b = vertices_[on[1].second], &v = vertices_[vertex];
     return glm::dot(a - v, b - v) >= 0.0 || height(vertices_, {on[0].second, vertex, on[1].second}) > distance_;
   }
@@ -134,7 +135,7 @@ class FaceGroups {
     EdgeSplit chain{from, to, {}};
     for (std::uint32_t before = from; !is_corner(steps, chain.high);) {
       chain.vertices.push_back(chain.high);
-      const auto on = steps_from(steps, chain.high);
+      const auto on = entries_of(steps, chain.high);
       const std::uint32_t next = on[0].second == before ? on[1].second : on[0].second;
       before = std::exchange(chain.high, next);
     }
@@ -210,8 +211,9 @@ void add_splits(std::span<const dvec3> vertices, const Chains& outline, const Ch
 bool split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
   const auto ends = [](const EdgeSplit& split) { return Ends(split.low, split.high); };
   std::ranges::stable_sort(splits, {}, ends);
-  const auto repeated = std::ranges::unique(splits, {}, ends);
-  splits.erase(repeated.begin(), repeated.end());
+  const auto repeated = std::unique(splits.begin(), splits.end(),
+                                    [&](const EdgeSplit& a, const EdgeSplit& b) { return ends(a) == ends(b); });
+  splits.erase(repeated, splits.end());
   for (const EdgeSplit& split : splits) report.t_junctions_split += split.vertices.size();
   const SplitCount count = apply_splits(splits, facets);
   report.triangles_added += count.added;

@@ -48,9 +48,9 @@ class PairList {
     std::ranges::nth_element(pairs_, pairs_.begin() + most_pairs_kept, stronger);
     const double least = pairs_[most_pairs_kept].bound.expected * (1.0 - equally_strong);
     const auto is_strong = [&](const EdgeFacePair& pair) { return pair.bound.expected >= least; };
-    const auto weaker = std::ranges::partition(pairs_.begin() + most_pairs_kept, pairs_.end(), is_strong);
-    for (const EdgeFacePair& pair : weaker) dropped_.add(pair);
-    pairs_.erase(weaker.begin(), weaker.end());
+    const auto weaker = std::partition(pairs_.begin() + most_pairs_kept, pairs_.end(), is_strong);
+    std::for_each(weaker, pairs_.end(), [&](const EdgeFacePair& pair) { dropped_.add(pair); });
+    pairs_.erase(weaker, pairs_.end());
     room_ = 2 * pairs_.size();
   }
 
