@@ -268,7 +268,7 @@ def main():
     theta = math.acos(1 / math.sqrt(3))
     with open(os.path.join(HERE, "trihedral/reference.csv"), "w") as f:
         f.write(head("triple bounce alone, from the geometrical-optics aperture (Siegel et al. 1955; Robertson 1947); the same for vv and hh",
-                     "run case.toml --parts", "--tolerance-db 1e-8 --result-columns re_vv=re_vv_bounce3,im_vv=im_vv_bounce3 "
+                     "run case.toml --parts", "--tolerance-db 1e-8 --result-columns re_vv=re_vv_bounce_3,im_vv=im_vv_bounce_3 "
                      "--reference-columns magnitude_vv=abs_s_triple*3.5449077018110318",
                      "the reference holds 12 digits; 2 sqrt(pi) |S| is the root of sigma", "parts.csv"))
         f.write("freq_hz,theta_deg,phi_deg,abs_s_triple\n")

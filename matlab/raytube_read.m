@@ -12,7 +12,7 @@ function result = raytube_read(file)
 %     attributes                          what the file says of the whole, by name
 %
 %   and of a netCDF file also, where it has them, error_m and model_m (as S, real), sigma_incoherent_m2 (L x F x 2, by transmit
-%   polarisation), and part and model_part, structures with one array as S for each mechanism, and for each part of the model
+%   polarisation), and mechanism and model_part, structures with one array as S for each mechanism, and for each part of the model
 %   uncertainty. S_vh of all looks at the first frequency is result.S(:, 1, 1, 2).
 %
 %   Octave needs its package netcdf for .nc files (octave-netcdf in Debian).
@@ -56,9 +56,9 @@ function result = read_netcdf(file)
   if any(strcmp(names, 'sigma_incoherent_m2'))
     result.sigma_incoherent_m2 = in_order(ncread(file, 'sigma_incoherent_m2'), 3);
   end
-  if any(strcmp(names, 'part'))
-    S = complex(ncread(file, 'S_part_re'), ncread(file, 'S_part_im'));
-    result.part = by_name(file, 'part', S);
+  if any(strcmp(names, 'mechanism'))
+    S = complex(ncread(file, 'S_mechanism_re'), ncread(file, 'S_mechanism_im'));
+    result.mechanism = by_name(file, 'mechanism', S);
   end
   if any(strcmp(names, 'model_part'))
     result.model_part = by_name(file, 'model_part', ncread(file, 'model_part_m'));

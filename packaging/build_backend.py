@@ -77,8 +77,10 @@ def package_files(package):
     for module in modules:
         if not module.exists():
             sys.exit(f"{package} has no {module.name}: it was built for another Python than {sys.executable}; unset RAYTUBE_BUILD")
-    scripts = [path for path in SCRIPTS.iterdir() if path.suffix in (".py", ".pyi", ".typed")]
-    return {f"raytube/{path.name}": path.read_bytes() for path in [*scripts, *modules, package / "raytube_mpi.so"] if path.exists()}
+    scripts = [path for path in SCRIPTS.rglob("*") if path.suffix in (".py", ".pyi", ".typed", ".html", ".css", ".js")]
+    files = {f"raytube/{path.relative_to(SCRIPTS).as_posix()}": path for path in scripts}
+    files |= {f"raytube/{path.name}": path for path in [*modules, package / "raytube_mpi.so"]}
+    return {name: path.read_bytes() for name, path in files.items() if path.exists()}
 
 
 def write_wheel(folder, files, platform, licences):

@@ -50,11 +50,11 @@ The package holds the program, the package raytube for Python, a static C++
 library with headers and CMake package, readers for MATLAB and Octave,
 completions for bash and zsh, and the documentation with its cases.")
 
-# Libraries that the program runs with are found by dpkg-shlibdeps. Plots are worth having and not needed. Who links the static library
+# Libraries that the program runs with are found by dpkg-shlibdeps. Pictures are worth having and not needed. Who links the static library
 # needs the -dev packages below and a compiler; to recommend them would bring 270 packages of 1.1 GB to everybody who wants the program.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/debian/shlibs.cmake)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox, libjs-three")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, \
 zlib1g-dev, libexpat1-dev, libzip-dev")
 if(TARGET raytube_mpi)
@@ -65,8 +65,8 @@ if(TARGET raytube_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
       "python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_minor}), python3-numpy, python3-xarray")
-  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib")
-  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", python3-mpi4py")
+  string(APPEND CPACK_DEBIAN_PACKAGE_RECOMMENDS ", python3-matplotlib, python3-scipy, python3-pandas, libjs-three")
+  string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", python3-mpi4py, python3-openimageio, python3-netcdf4")
   set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/debian/postinst;${CMAKE_CURRENT_SOURCE_DIR}/debian/prerm")
 endif()
 include(CPack)

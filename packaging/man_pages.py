@@ -22,19 +22,9 @@ def term(entry):
     return f"{names} {italic(entry.argument)}" if entry.argument else names
 
 
-def remarks(entry):
-    """What stands beside an option's name in the help, as sentences."""
-    if entry.required:
-        yield "Required."
-    if entry.limits:
-        yield f"Between {entry.limits.replace(' - ', ' and ')}."
-    if entry.needs:
-        yield f"Only with {entry.needs}."
-
-
 def listed(entries, label=term):
     for entry in entries:
-        text = " ".join([entry.description.rstrip(".") + ".", *remarks(entry)])
+        text = entry.description.rstrip(".") + "." + " Required." * entry.required
         yield from (".TP", label(entry), escaped(text))
 
 

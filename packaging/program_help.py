@@ -5,7 +5,7 @@ import re
 import subprocess
 from dataclasses import dataclass, field
 
-COLUMN = 30  # at which CLI11 begins descriptions
+COLUMN = 34  # at which descriptions begin
 NO_KEY = "such_a_key_there_is_not"
 
 
@@ -17,8 +17,6 @@ class Entry:
     argument: str  # "DIR"; empty for a flag
     required: bool
     repeated: bool  # a positional of which there may be several
-    needs: str  # the option without which this one means nothing; empty if there is none
-    limits: str  # "1 - 4096"; empty if there are none
     description: str
 
 
@@ -37,18 +35,11 @@ def said_by(program, *arguments):
 
 
 def entry(term, description):
-    """`term` is, for example, "--threads N:INT in [1 - 4096]" or "--seed S Needs: --launch"."""
-    term, _, needs = term.partition(" Needs: ")
+    """`term` is, for example, "-j,--threads N", or of the Python package "-j, --threads N"."""
     required = term.endswith(" REQUIRED")
-    term = term.removesuffix(" REQUIRED")
-    repeated = term.endswith(" ...")
-    if repeated:
-        term = term.removesuffix(" ...").rstrip(".")
-    limits = re.search(r":\w+ in \[(.*)\]$", term)
-    if limits:
-        term = term[: limits.start()]
-    names, _, argument = term.partition(" ")
-    return Entry(names.split(","), argument, required, repeated, needs, limits[1] if limits else "", description)
+    names, _, argument = term.removesuffix(" REQUIRED").replace(", -", ",-").partition(" ")
+    repeated = argument.endswith("...")
+    return Entry(names.split(","), argument.removesuffix("...").strip(), required, repeated, description)
 
 
 def entries(lines):
@@ -67,13 +58,18 @@ def entries(lines):
 
 
 def parsed(command, text):
-    """Help text in paragraphs: summary and usage, lists under their headings, then the footer."""
-    lists = {"Positionals:": "positionals", "Options:": "options", "Subcommands:": "commands"}
+    """Help text in paragraphs: summary and usage, lists under their headings (of the program, groups of commands), then the footer."""
+    lists = {"Positionals:": "positionals", "Options:": "options"}
     first, *paragraphs = text.rstrip("\n").split("\n\n")
     page = Help(command, first.splitlines()[0])
-    while paragraphs and paragraphs[0].splitlines()[0] in lists:
-        heading, *lines = paragraphs.pop(0).splitlines()
-        setattr(page, lists[heading], entries(lines))
+    while paragraphs:
+        heading, *lines = paragraphs[0].splitlines()
+        group = heading in lists or (not command and heading.endswith(":") and len(lines) > 0 and all(line.startswith("  ") for line in lines))
+        if not group or heading in ("Exit codes:", "Examples:"):
+            break
+        kind = lists.get(heading, "commands")
+        setattr(page, kind, getattr(page, kind) + entries(lines))
+        paragraphs.pop(0)
     page.footer = "\n\n".join(paragraphs).splitlines()
     return page
 

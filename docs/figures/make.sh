@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws every picture of README.md, docs/ and cases/*/README.md: runs the cases, joins them with their references, calls gnuplot.
-#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, ParaView and xvfb, a few minutes on two cores
+#   docs/figures/make.sh [PROGRAM]      default: build/raytube; needs gnuplot, matplotlib, ParaView, xvfb and chromium, a few minutes on two cores
 set -euo pipefail
 program=$(readlink -f "${1:-build/raytube}")
 cd "$(dirname "$(readlink -f "$0")")/../.."
@@ -76,10 +76,15 @@ for name in convergence_plate convergence_dihedral; do cp "$work/$name/converge.
 for name in image image_window; do cp "$work/image/$name.png" docs/figures/trihedral_$name.png; done
 "$program" run cases/haul_truck/case.toml -o "$work/front" --quiet --set look.phi_deg=0 --set output.image_look=0
 cp "$work/front/image_window.png" docs/figures/haul_truck_image.png
+"$program" run cases/haul_truck/case.toml -o "$work/report" --quiet --parts --set 'look.phi_deg={start=0,stop=30,step=0.5}'
+"$program" report "$work/report" --looks 20 --quiet
+chromium --headless --no-sandbox --use-gl=swiftshader --enable-unsafe-swiftshader --screenshot="$work/report.png" --window-size=1100,4200 \
+  --virtual-time-budget=20000 "file://$work/report/report.html"
+/usr/bin/python3 -c "from PIL import Image; Image.open('$work/report.png').convert('RGB').crop((0, 2160, 1080, 3045)).save('docs/figures/report.png')"
 "$program" profile cases/haul_truck/profile.toml -o "$work/truck_profile" --padding 16 --quiet
 "$program" isar cases/turntable/case.toml -o "$work/turntable" --quiet
-python3 docs/figures/mesh_lines.py cases/turntable/car.ply 30 >"$work/turntable_mesh.csv"
-for name in truck_profile/profile turntable/isar; do grep -v '^[#a-z]' "$work/$name.csv" >"$work/${name%/*}.csv"; done
+/usr/bin/python3 docs/figures/first_page.py "$work/turntable/isar.csv" "$work/dihedral3/rcs.csv" "$work/dihedral3_off/rcs.csv" docs/figures
+grep -v '^[#a-z]' "$work/truck_profile/profile.csv" >"$work/truck_profile.csv"
 for name in double_slit/case double_slit/study open_box/case; do
   "$program" sources cases/$name.toml -o "$work/$name" --quiet
 done
@@ -96,7 +101,7 @@ done
 for name in sphere radome coated_sphere; do paste -d, "$work/$name.csv" "$work/${name}_reference.csv" >"$work/${name}_both.csv"; done
 
 cd docs/figures
-pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes haul_truck_statistics haul_truck_profile turntable powercube_sphere convergence_plate
+pictures=(plate dihedral chamber radome cube2 dihedral3 sphere coated_sphere powercube cylinder almond almond_rays wing wing_rays trihedral haul_truck haul_truck_image haul_truck_tubes haul_truck_statistics haul_truck_profile powercube_sphere convergence_plate
           convergence_dihedral stochastic stochastic_image double_slit_launch double_slit_hits double_slit_error open_box)
 gnuplot -d <<EOF
 set datafile separator ','
@@ -375,31 +380,6 @@ eval place('rear rim of the bucket', 0.132, -16, -24.2)
 plot work.'truck_profile.csv' using 5:14 with lines ls 1 title 'VV', \
      '' using 5:17 with lines lc rgb '#8a1fbf' lw 2 title 'HH'
 unset label; unset arrow; unset title
-
-eval canvas('turntable', 900, 1000)
-set title 'Car on a turntable, 10 GHz, HH: cells of 0.12 m × 0.11 m; the radar stands below'
-set rmargin 8
-set xlabel 'cross-range (m)'
-set ylabel 'range (m)'
-set xrange [-2.05:2.05]
-set yrange [-2.66:2.66]
-set xtics 0.5
-set size ratio -1
-set cblabel 'σ (dBsm)'
-set cbrange [-50:0]
-set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')
-part(text, x, y, tox, toy) = sprintf("set label '%s' at %g,%g center front tc rgb 'white'; set arrow from %g,%g to %g,%g front head size 0.05,20 filled lc rgb 'white'", text, x, y, x, y + (toy > y ? 0.08 : -0.08), tox, toy)
-eval part('bow', -1.3, -2.4, -0.85, -2.1)
-eval part('left front wheel', 1.0, -1.9, 0.2, -1.45)
-eval part('left mirror', 1.45, -0.75, 0.75, -0.97)
-eval part('left rear wheel', 1.45, 0.15, 1.45, 0.75)
-eval part('silencer', 1.5, 1.75, 1.2, 1.35)
-eval part('right mirror', -1.55, 0.45, -1.2, 0.08)
-eval part('right front wheel', -1.45, -1.7, -1.4, -1.3)
-eval part('right rear wheel', -0.9, 1.5, -0.15, 1.28)
-plot work.'turntable.csv' using 2:1:17 with image notitle, \
-     work.'turntable_mesh.csv' using 1:2 with lines lw 0.3 lc rgb '#c0ffffff' notitle
-unset label; unset arrow
 EOF
 
 # Few colours are in use: an 8-bit palette makes the files three times smaller than gnuplot's.

@@ -1,17 +1,19 @@
 #include <fmt/format.h>
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <map>
 
 #include "bindings/result.h"
 #include "bindings/values.h"
 #include "core/error.h"
 #include "output/compare/comparison_report.h"
-#include "output/image_compare/image_report.h"
-#include "output/image_compare/read_image.h"
 #include "output/tables/column_map.h"
 #include "output/tables/csv.h"
+#include "output/tables/image_file.h"
 
 namespace raytube::python {
 
@@ -20,6 +22,14 @@ namespace py = pybind11;
 namespace {
 
 using Range = std::pair<double, double>;
+
+template <class Value, class Member>
+py::array_t<Value> columns_of(const ResultTable& table, Member ResultTable::Row::*member) {
+  py::array_t<Value> array({table.rows.size(), std::tuple_size_v<Member>});
+  Value* next = array.mutable_data();
+  for (const ResultTable::Row& row : table.rows) next = std::ranges::copy(row.*member, next).out;
+  return array;
+}
 
 ResultTable::Key key_of(const std::string& column) {
   const auto key = std::ranges::find(key_names, column);
@@ -56,34 +66,12 @@ py::dict measures(const ErrorMeasures& e) {
   return d;
 }
 
-py::dict image_measures(const ImageMeasures& m) {
-  py::dict d = measures(m.errors);
-  d["pixels_within"] = d.attr("pop")("rows_within");
-  d.attr("pop")("austin_db");
-  d["correlation"] = m.correlation;
-  d["magnitude_error"] = m.magnitude_error;
-  d["power_ratio_db"] = m.power_ratio_db;
-  d["ssim"] = m.similarity;
-  return d;
-}
-
 // A channel that both results have, and in which there is something to compare.
 py::dict channels(const Comparison& comparison) {
   py::dict d;
   for (std::size_t c = 0; c < channel_names.size(); ++c)
     if (comparison.signal[c]) d[channel_names[c]] = measures(comparison.errors[c]);
   return d;
-}
-
-py::dict channels_of_images(const ImageComparison& comparison) {
-  py::dict d;
-  for (std::size_t c = 0; c < channel_names.size(); ++c)
-    if (comparison.signal[c]) d[channel_names[c]] = image_measures(comparison.measures[c]);
-  return d;
-}
-
-NamedFile named_file(const std::filesystem::path& file, const std::string& columns, const std::string& name) {
-  return {file, parsed_column_map(name, columns), name};
 }
 
 }  // namespace
@@ -94,29 +82,24 @@ void bind_comparison(py::module_& module) {
                   [](const std::filesystem::path& file, const std::string& columns, const std::string& name) {
                     return read_result_table(file, parsed_column_map(name, columns), name);
                   })
-      .def_static("of_stored", &table_of);
+      .def_static("of_stored", &table_of)
+      .def_readonly("has_key", &ResultTable::has_key)
+      .def_readonly("has_channel", &ResultTable::has_channel)
+      .def_readonly("has_phase", &ResultTable::has_phase)
+      .def_property_readonly("keys", [](const ResultTable& t) { return columns_of<double>(t, &ResultTable::Row::key); })
+      .def_property_readonly("S", [](const ResultTable& t) { return columns_of<Complex>(t, &ResultTable::Row::s); })
+      .def_property_readonly("sigma_dbsm",
+                             [](const ResultTable& t) { return columns_of<double>(t, &ResultTable::Row::sigma_dbsm); });
   py::class_<Comparison>(module, "Comparison")
       .def_property_readonly("text", [](const Comparison& comparison) { return python_text(comparison_text(comparison)); })
       .def_property_readonly("rows", &Comparison::rows)
       .def_property_readonly("channels", &channels)
-      .def_property_readonly("relative_error", py::overload_cast<const Comparison&>(&relative_error))
-      .def("above_tolerance", py::overload_cast<const Comparison&, double>(&above_tolerance));
+      .def_property_readonly("relative_error", &relative_error)
+      .def("above_tolerance", &above_tolerance);
   module.def("compare", &compare);
-  py::class_<NamedFile>(module, "NamedFile").def(py::init(&named_file));
-  py::class_<ImageComparison>(module, "ImageComparison")
-      .def_property_readonly("text", [](const ImageComparison& comparison) { return python_text(comparison_text(comparison)); })
-      .def_property_readonly("rows", &ImageComparison::pixels)
-      .def_property_readonly("channels", &channels_of_images)
-      .def_property_readonly("relative_error", py::overload_cast<const ImageComparison&>(&relative_error))
-      .def_property_readonly("shift",
-                             [](const ImageComparison& comparison) { return std::pair(comparison.shift.x, comparison.shift.y); })
-      .def("above_tolerance", py::overload_cast<const ImageComparison&, double>(&above_tolerance));
-  module.def("are_images", &are_images);
-  module.def("compare_images",
-             [](const NamedFile& result, const NamedFile& reference, double within_db, bool free_scale, bool registered) {
-               const py::gil_scoped_release others_go_on;
-               return compare_images(read_image(result), read_image(reference), {within_db, free_scale, registered});
-             });
+  module.def("is_image_file", [](const std::filesystem::path& file, const std::string& columns) {
+    return is_image_file(file, parsed_column_map("columns", columns));
+  });
 }
 
 }  // namespace raytube::python

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "case/target.h"
 #include "core/bytes.h"
@@ -12,10 +13,9 @@
 #include "jobs/density_study.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
-#include "jobs/result_warnings.h"
 #include "jobs/shared_work.h"
 #include "jobs/solvable.h"
-#include "jobs/warnings/warnings.h"
+#include "jobs/solve_case.h"
 #include "output/files/sha256.h"
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
@@ -59,20 +59,6 @@ auto beside_others(const Watch& watch, Ranks* ranks, const Work& work) {
   }
 }
 
-std::vector<std::pair<std::string, std::string>> attributes(const Job& job, const SolvePlan& plan, const SweepResult& result) {
-  Manifest manifest = described_inputs(job.asked, job.built->report, job.mesh_sha256);
-  add_result(manifest, result,
-             warnings_of_result(warnings_of(job.asked, plan, job.built->outermost), job.asked, plan.target, job.built->report,
-                                result.statistics));
-  return attributes_of(manifest);
-}
-
-void check_look(const Case& c, std::size_t look) {
-  if (look >= c.sweep.looks.size())
-    throw InputError(
-        fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", look, c.sweep.looks.size()));
-}
-
 }  // namespace
 
 std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -91,30 +77,32 @@ std::shared_ptr<const Job> Job::of_target(TargetSource& target, const CaseValue&
 
 std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ranks* ranks) const {
   if (ranks) require_same(*ranks, *this, {});
-  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads, ranks), parts);
-  check_memory(plan, asked, nullptr);
+  const int count = threads_of(threads, ranks);
   const auto progress = [&](double share) { return go_on(watch, ranks, share); };
   return beside_others(watch, ranks, [&]() -> std::optional<StoredResult> {
-    if (is_helper(ranks)) return help_to_solve(plan, ranks->team(), progress), std::nullopt;
-    const SweepResult result = raytube::solve(plan, progress, {}, ranks ? &ranks->team() : nullptr);
-    StoredResult stored_result = stored(asked.sweep, result);
-    stored_result.attributes = attributes(*this, plan, result);
-    return stored_result;
+    if (is_helper(ranks)) {
+      help_to_solve(plan_of_case(built->target, asked, count, parts), ranks->team(), progress);
+      return {};
+    }
+    const PlannedCase planned(asked, built->target, built->report, built->outermost, count, parts);
+    Manifest manifest = described_inputs(asked, built->report, mesh_sha256);
+    const SolvedCase solved = solve_case(planned, manifest, progress, {}, ranks ? &ranks->team() : nullptr);
+    StoredResult result = stored(asked.sweep, solved.result);
+    result.attributes = attributes_of(manifest);
+    return result;
   });
 }
 
-TextAndData Job::check(int threads) const {
+Json Job::check(int threads) const {
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
-  std::string text;
-  CheckReport report([&text](const std::string& piece) { text += piece; });
-  tell_case(report, asked, built->report, plan);
+  Json data = check_data(asked, built->report, plan);
   check_memory(plan, asked, nullptr);
-  tell_time(report, plan);
-  return {std::move(text), std::move(report.data)};
+  data.update(time_data(plan, predicted_time(plan)));
+  return data;
 }
 
 LookImage Job::image(std::size_t look, double per_wavelength, int threads, Watch& watch) const {
-  check_look(asked, look);
+  require_look(asked, look);
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
   return naming_the_case(asked, [&] { return image_of_look(plan, look, per_wavelength, watch.progress()); });
 }
@@ -125,7 +113,7 @@ LookCentres Job::centres(const CentresAsked& which, int threads, Watch& watch) c
 
 TubeTrace Job::trace(std::size_t look, const dvec2& at) const {
   const Sweep& sweep = asked.sweep;
-  check_look(asked, look);
+  require_look(asked, look);
   const auto highest = static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
   const std::vector<Material> materials = at_frequency(sweep.materials, highest);
   const ReplayScene scene{built->target.tracer, materials, sweep.radar};
@@ -138,23 +126,20 @@ std::optional<Study> Job::converge(const std::vector<double>& densities, int thr
   refuse_study_of_rays(asked);
   const std::vector<double> ordered = densities_from_coarse_to_fine(densities, "densities");
   check_study(asked, built->target, threads, ordered, "densities");
-  SolveOptions options = options_of_study(asked, threads_of(threads, ranks));
   ConvergenceStudy study{asked.title, asked.sweep, {}, {}};
-  options.progress = [&](double share) { return go_on(watch, ranks, finished_share(ordered, study.results.size(), share)); };
-  options.team = ranks ? &ranks->team() : nullptr;
   std::vector<std::string> warnings;
-  for (const double density : ordered) {
-    options.tubes.per_wavelength = density;
-    const SolvePlan plan(built->target, asked.sweep, options, asked.ground);
-    beside_others(watch, ranks, [&] {
-      if (is_helper(ranks)) return help_to_solve(plan, *options.team, options.progress);
-      SweepResult result = raytube::solve(plan, options.progress, {}, options.team);
-      const Statistics& s = result.statistics;
-      for (const BeyondBound& part : s.beyond_bound)
-        warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));
-      study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
-    });
-  }
+  const auto keep = [&](SolvedDensity solved) {
+    auto& [density, result] = solved;
+    const Statistics& s = result.statistics;
+    for (const BeyondBound& part : s.beyond_bound)
+      warnings.push_back(fmt::format("{} tubes per wavelength: {}", density, beyond_bound_sentence(part)));
+    study.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+  };
+  beside_others(watch, ranks, [&] {
+    study_densities(
+        asked, built->target, threads_of(threads, ranks), ordered, [&](double share) { return go_on(watch, ranks, share); },
+        ranks ? &ranks->team() : nullptr, keep);
+  });
   if (is_helper(ranks)) return {};
   study.convergence = study_convergence(study.results);
   return Study{convergence_text(study), std::move(study.results), std::move(study.convergence), std::move(warnings)};

@@ -11,7 +11,7 @@
 #include "bindings/interruptible.h"
 #include "bindings/target.h"
 #include "case/read_case.h"
-#include "core/json.h"
+#include "core/ordered_json.h"
 #include "jobs/centres_of_look.h"
 #include "output/compare/convergence_report.h"
 #include "output/netcdf/stored_result.h"
@@ -20,11 +20,6 @@
 #include "scene/image.h"
 
 namespace raytube::python {
-
-struct TextAndData {
-  std::string text;
-  JsonValue data;
-};
 
 struct Study {
   std::string text;
@@ -46,7 +41,7 @@ struct Job {
   /// Of several ranks each calls it, `threads` 0: so many as it has there. Nothing but for the one that leads.
   std::optional<StoredResult> solve(int threads, bool parts, Watch& watch, Ranks* ranks) const;
   std::optional<Study> converge(const std::vector<double>& densities, int threads, Watch& watch, Ranks* ranks) const;
-  TextAndData check(int threads) const;
+  Json check(int threads) const;
   LookImage image(std::size_t look, double per_wavelength, int threads, Watch& watch) const;
   LookCentres centres(const CentresAsked& which, int threads, Watch& watch) const;
   TubeTrace trace(std::size_t look, const dvec2& at) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "bindings/job.h"
@@ -16,6 +17,7 @@
 #include "bindings/values.h"
 #include "core/error.h"
 #include "core/threads.h"
+#include "jobs/check_text.h"
 
 namespace raytube::python {
 
@@ -123,8 +125,8 @@ std::shared_ptr<StoredResult> solve(const SharedJob& job, int threads, bool part
 }
 
 py::tuple check(const SharedJob& job, int threads) {
-  const TextAndData report = interruptibly([=](Watch&) { return job->check(threads); });
-  return py::make_tuple(python_text(report.text), python_value(report.data));
+  const Json report = interruptibly([=](Watch&) { return job->check(threads); });
+  return py::make_tuple(python_text(check_text(report)), python_value(report));
 }
 
 py::object array_of(const std::vector<ScatteringMatrix>& cells, std::vector<py::ssize_t> shape) {
@@ -288,6 +290,7 @@ PYBIND11_MODULE(_core, module) {
   bind_ranks(module);
   bind_stored(module);
   bind_products(module);
+  bind_report(module);
   bind_comparison(module);
   py::module_::import("atexit").attr("register")(py::cpp_function([] {
     const py::gil_scoped_release others_go_on;

@@ -107,14 +107,22 @@ py::tuple isar(const SharedResult& result, const PointRows& outermost, const std
   return py::make_tuple(axes, owned_array<Complex>(std::move(image.s), std::move(shape)));
 }
 
-// PointRows as wide as the target, and lines to be drawn over it.
+// PointRows as wide as the target, lines to be drawn over it, and the corners of its triangles, which make its silhouette.
 py::tuple outline(const std::shared_ptr<Job>& job) {
+  const auto& mesh = job->built->target.mesh;
   std::vector<dvec3> points = outermost_of(job->built->target);
   std::vector<std::array<dvec3, 2>> lines = lines_of(job->built->target);
-  static_assert(sizeof(dvec3) == 3 * sizeof(double));
-  const auto count = static_cast<py::ssize_t>(points.size()), line_count = static_cast<py::ssize_t>(lines.size());
+  std::vector<std::array<glm::vec3, 3>> triangles;
+  for (const auto& corners : mesh.triangles) {
+    const auto at = [&](int corner) { return glm::vec3(mesh.vertices[corners[corner]] + mesh.center); };
+    triangles.push_back({at(0), at(1), at(2)});
+  }
+  static_assert(sizeof(dvec3) == 3 * sizeof(double) && sizeof(glm::vec3) == 3 * sizeof(float));
+  const auto count = static_cast<py::ssize_t>(points.size()), line_count = static_cast<py::ssize_t>(lines.size()),
+             triangle_count = static_cast<py::ssize_t>(triangles.size());
   return py::make_tuple(owned_array<double>(std::move(points), {count, 3}),
-                        owned_array<double>(std::move(lines), {line_count, 2, 3}));
+                        owned_array<double>(std::move(lines), {line_count, 2, 3}),
+                        owned_array<float>(std::move(triangles), {triangle_count, 3, 3}));
 }
 
 py::dict centres(const std::shared_ptr<Job>& job, std::size_t look, std::size_t count, double resolution, int threads,

@@ -135,10 +135,10 @@ py::dict attributes_of(const StoredResult& r) {
   return attributes;
 }
 
-py::dict parts_of(const py::object& self) {
-  py::dict parts;
-  for (const StoredPart& part : of(self).parts) parts[python_text(part.name)] = amplitudes(self, part.s);
-  return parts;
+py::dict mechanisms_of(const py::object& self) {
+  py::dict mechanisms;
+  for (const StoredPart& part : of(self).parts) mechanisms[python_text(part.name)] = amplitudes(self, part.s);
+  return mechanisms;
 }
 
 py::dict model_parts_of(const py::object& self) {
@@ -181,7 +181,7 @@ void bind_stored(py::module_& module) {
   stored.def_property_readonly("model_db", [](const py::object& self) { return levels(self, of(self).model_db); });
   stored.def_property_readonly("error_m", [](const py::object& self) { return levels(self, of(self).error_m); });
   stored.def_property_readonly("model_m", [](const py::object& self) { return levels(self, of(self).model_m); });
-  stored.def_property_readonly("parts", &parts_of);
+  stored.def_property_readonly("mechanisms", &mechanisms_of);
   stored.def_property_readonly("model_parts", &model_parts_of);
   stored.def_property_readonly("incoherent_m2", &incoherent_of);
   stored.def_property_readonly("attributes", &attributes_of);

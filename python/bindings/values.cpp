@@ -132,40 +132,11 @@ CaseValue value_at(const py::handle& value, const Place& place) {
   return result;
 }
 
-py::object python_table(const JsonValue& json) {
-  py::dict table;
-  for (std::size_t i = 0; i < json.names.size(); ++i) table[python_text(json.names[i])] = python_value(json.items[i]);
-  return table;
-}
-
-py::object python_list(const JsonValue& json) {
-  py::list list;
-  for (const JsonValue& item : json.items) list.append(python_value(item));
-  return list;
-}
-
 }  // namespace
 
 CaseValue case_value(const py::handle& value, const std::string& location) { return value_at(value, {location, ""}); }
 
-py::object python_value(const JsonValue& json) {
-  switch (json.kind) {
-    case JsonValue::Kind::boolean:
-      return py::bool_(json.boolean);
-    case JsonValue::Kind::whole:
-      return py::int_(json.whole);
-    case JsonValue::Kind::number:
-      return py::float_(json.number);
-    case JsonValue::Kind::text:
-      return python_text(json.text);
-    case JsonValue::Kind::list:
-      return python_list(json);
-    case JsonValue::Kind::table:
-      return python_table(json);
-    default:
-      return py::none();
-  }
-}
+py::object python_value(const Json& json) { return py::module_::import("json").attr("loads")(text_of_json(json)); }
 
 py::str python_text(std::string_view text) {
   PyObject* decoded = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "backslashreplace");

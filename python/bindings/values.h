@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "case/text/document.h"
-#include "core/json.h"
+#include "core/ordered_json.h"
 
 namespace raytube::python {
 
@@ -16,7 +16,7 @@ namespace raytube::python {
 /// `location` is where sentences say that the values stand. Throws InputError for anything else.
 CaseValue case_value(const pybind11::handle& value, const std::string& location);
 
-pybind11::object python_value(const JsonValue& json);
+pybind11::object python_value(const Json& json);
 
 /// Names of files and of parts may be bytes that are no UTF-8; these become \xff and the like.
 pybind11::str python_text(std::string_view text);

@@ -16,7 +16,8 @@ theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, tra
 origin of the mesh's coordinates.
 
 Target, monostatic, bistatic, looks, solve: what is asked. Result, load: what comes out. run, check, converge, image, trace: what the
-program of the same name does, for a case file or for a target. compare: two results of any source.
+program of the same name does, for a case file or for a target. compare: two results of any source; statistics: how sigma is distributed
+in one. centres: where on the target a look returns from. read_radar_explorer: results of the Radar Explorer Toolkit.
 """
 
 from raytube import _processor as _processor  # first: refuses processors that the rest cannot run on
@@ -26,9 +27,10 @@ from raytube._comparison import Comparison, compare
 from raytube._looks import Looks, bistatic, looks, monostatic
 from raytube._radar_explorer import read_radar_explorer
 from raytube._result import RaytubeWarning, Result, load
+from raytube._statistics import Statistics, statistics
 from raytube._target import Target
 
-__all__ = ["CheckReport", "Comparison", "Convergence", "InputError", "Looks", "RaytubeWarning", "Result", "Target", "bistatic", "check",
-           "centres", "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "trace", "__version__"]
+__all__ = ["CheckReport", "Comparison", "Convergence", "InputError", "Looks", "RaytubeWarning", "Result", "Statistics", "Target", "bistatic", "check",
+           "centres", "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "statistics", "trace", "__version__"]
 InputError.__doc__ = """Bad input: one sentence that says what is wrong, where, and what to do. A ValueError."""
 InputError.__module__ = "raytube"

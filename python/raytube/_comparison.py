@@ -6,12 +6,12 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
-
 from raytube import _arguments, _core
 from raytube._core import InputError
+from raytube._image_comparison import ImageComparison, are_images, read_image
 from raytube._radar_explorer import read_radar_explorer
 from raytube._result import Result
+from raytube._tables import ranges_of
 
 
 class Comparison:
@@ -32,9 +32,9 @@ class Comparison:
         ``ssim``, ``correlation`` (of magnitudes), ``magnitude_error`` and ``power_ratio_db``, too, and no ``austin_db``.
     """
 
-    def __init__(self, core: _core.Comparison | _core.ImageComparison) -> None:
+    def __init__(self, core: _core.Comparison | ImageComparison) -> None:
         self._core = core
-        self.shift: tuple[float, float] | None = core.shift if isinstance(core, _core.ImageComparison) else None
+        self.shift: tuple[float, float] | None = None if isinstance(core, _core.Comparison) else core.shift
         self.channels: dict[str, dict[str, float]] = core.channels
         self.relative_error: float = core.relative_error
         self.rows: int = core.rows
@@ -86,52 +86,48 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     InputError
         If a file cannot be read, or if nothing is in common.
     """
-    ranges = {_arguments.text(column, "only"): _range(value, column) for column, value in _arguments.table(only or {}, "only").items()}
+    ranges = {column: (low, high) for column, low, high in ranges_of(only)}
     within = _arguments.number(within_db, "within_db")
     if within < 0.0:
         raise InputError(f"within_db: give 0 or more decibels (found {within:g})")
     scale, registered = _arguments.flag(free_scale, "free_scale"), _arguments.flag(register, "register")
-    files = [_named_file(source, name, columns) for source, name, columns in
+    files = [_image_file(source, name, columns) for source, name, columns in
              ((result, "result", result_columns), (reference, "reference", reference_columns))]
-    if files[0] and files[1] and _core.are_images(files[0], files[1]):
+    if files[0] and files[1] and are_images(files[0], files[1]):
         if ranges:
             raise InputError("only: images have no rows of looks; leave it out")
-        return Comparison(_core.compare_images(files[0], files[1], within, scale, registered))
-    tables = _table(result, "result", result_columns), _table(reference, "reference", reference_columns)
+        images = read_image(*files[0], "result_columns"), read_image(*files[1], "reference_columns")
+        return Comparison(ImageComparison(*images, within, scale, registered))
+    tables = (table_of(result, "result", result_columns, "result_columns")[0],
+              table_of(reference, "reference", reference_columns, "reference_columns")[0])
     return Comparison(_core.compare(*tables, ranges, within, scale))
 
 
-def _range(value: Any, column: str) -> tuple[float, float]:
-    ends = np.atleast_1d(_arguments.numbers(value, f"only: {column}"))
-    if ends.shape not in ((1,), (2,)) or not ends[0] <= ends[-1]:
-        raise InputError(f"only: {column}: give a value, or the lowest and the highest one")
-    return float(ends[0]), float(ends[-1])
-
-
-def _named_file(source: Any, name: str, columns: Any) -> _core.NamedFile | None:
-    """A file that may be an image; None for a result that is at hand, or becomes one."""
+def _image_file(source: Any, name: str, columns: Any) -> tuple[str, str] | None:
+    """A file that may be an image, and its map of columns; None for a result that is at hand, or becomes one."""
     if isinstance(source, Result) or str(source).lower().endswith(".json"):
         return None
-    return _core.NamedFile(_file(source, name), _columns(columns, f"{name}_columns"), f"{name}_columns")
+    return _file(source, name), _columns(columns, f"{name}_columns")
 
 
-def _table(source: Any, name: str, columns: Any) -> _core.Table:
-    chosen = _columns(columns, f"{name}_columns")
+def table_of(source: Any, name: str, columns: Any, option: str) -> tuple[_core.Table, str]:
+    """The rows of a result of any source, and what sentences call it."""
+    chosen = _columns(columns, option)
     stored = source if isinstance(source, Result) else None
     file = name if stored else _file(source, name)
     if file.lower().endswith(".json"):
         stored = read_radar_explorer(file)
     if stored is None:
-        return _core.Table.of_file(file, chosen, f"{name}_columns")
+        return _core.Table.of_file(file, chosen, option), file
     if chosen:
-        raise InputError(f"{name}_columns: {file} is no table, whose columns could have other names; leave them out")
-    return _core.Table.of_stored(stored._stored, file)
+        raise InputError(f"{option}: {file} is no table, whose columns could have other names; leave them out")
+    return _core.Table.of_stored(stored._stored, file), file
 
 
 def _file(source: Any, name: str) -> str:
     if not isinstance(source, (str, os.PathLike)):
-        raise InputError(f"compare: {name}: give a Result or the path of a file (found {_arguments.kind_of(source)})")
-    return _arguments.path(source, f"compare: {name}")
+        raise InputError(f"{name}: give a Result or the path of a file (found {_arguments.kind_of(source)})")
+    return _arguments.path(source, name)
 
 
 def _columns(columns: Any, name: str) -> str:

@@ -16,6 +16,7 @@ from raytube import _arguments, _core, _ranks
 from raytube._core import InputError
 from raytube._looks import Looks, monostatic
 from raytube._result import RaytubeWarning, Result
+from raytube._tables import dbsm
 from raytube._target import Target
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str 
           facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
           edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
           ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
-          keep_parts: bool = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
+          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
 
 
 @overload
@@ -37,14 +38,14 @@ def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str 
           facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
           edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
           ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
-          keep_parts: bool = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
+          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
           edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
           ground: Mapping[str, Any] | None = None, accuracy: Mapping[str, Any] | None = None, title: str | None = None,
-          keep_parts: bool = False, threads: int = 0, progress: _Progress = False,
+          keep_mechanisms: bool = False, threads: int = 0, progress: _Progress = False,
           comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
@@ -69,8 +70,8 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
         "thickness_mm": 2}}``.
     title : str, optional
         Of pictures and files.
-    keep_parts : bool
-        Keep the mechanisms apart (`Result.parts`).
+    keep_mechanisms : bool
+        Keep the mechanisms apart (`Result.mechanisms`).
     threads : int
         0: all cores.
     progress : bool or callable
@@ -106,20 +107,20 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
                 "surfaces": surfaces, "radar": radar, "ground": ground, "accuracy": accuracy, "title": title}
-    return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_parts, threads, progress, comm)
+    return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_mechanisms, threads, progress, comm)
 
 
 @overload
-def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_mechanisms: bool = ..., threads: int = ...,
         progress: _Progress = ..., comm: None = ...) -> Result: ...
 
 
 @overload
-def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_parts: bool = ..., threads: int = ...,
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_mechanisms: bool = ..., threads: int = ...,
         progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
 
 
-def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_parts: bool = False, threads: int = 0,
+def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_mechanisms: bool = False, threads: int = 0,
         progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
@@ -129,7 +130,7 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
         Case file (TOML).
     overrides : dict, optional
         Values in the place of the file's, by dotted key: ``{"tubes.max_bounces": 5, "look.phi_deg": [0, 1, 2]}``.
-    keep_parts, threads, progress, comm
+    keep_mechanisms, threads, progress, comm
         As in `solve`.
 
     Returns
@@ -142,7 +143,7 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
     InputError, RuntimeError, KeyboardInterrupt
         As in `solve`.
     """
-    return _solved(lambda: _job_of_file("run", case, overrides), keep_parts, threads, progress, comm)
+    return _solved(lambda: _job_of_file("run", case, overrides), keep_mechanisms, threads, progress, comm)
 
 
 class _Told(dict[str, Any]):
@@ -231,13 +232,11 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     job = _job("image", what, args, keywords)
     with _Reported(progress) as report:
         frequency, u, v, cells = _core.image(job, look, density, _threads(threads), report)
-    with np.errstate(divide="ignore"):
-        sigma = 20.0 * np.log10(np.abs(cells)) + 10.0 * np.log10(4.0 * np.pi)
     dims = ("v", "u", "receive", "transmit")
     coordinates = {"u": ("u", u, {"units": "m", "long_name": "u, along the rows of the launch plane"}),
                    "v": ("v", v, {"units": "m", "long_name": "v, along its columns"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
     variables = {"S": (dims, cells, {"units": "m", "long_name": "scattering amplitude S of a cell"}),
-                 "sigma_dbsm": (dims, sigma, {"units": "dBsm", "long_name": "radar cross-section of a cell"})}
+                 "sigma_dbsm": (dims, dbsm(cells), {"units": "dBsm", "long_name": "radar cross-section of a cell"})}
     return xr.Dataset(variables, coordinates, {"frequency_hz": frequency, "look": look, "title": job.title})
 
 
@@ -282,10 +281,8 @@ def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: f
     job = _job("centres", what, args, keywords)
     with _Reported(progress) as report:
         found = _core.centres(job, _arguments.whole(look, "look"), number, cell, _threads(threads), report)
-    with np.errstate(divide="ignore"):
-        sigma = 20.0 * np.log10(np.abs(found["S"])) + 10.0 * np.log10(4.0 * np.pi)
     dims = ("centre", "receive", "transmit")
-    variables: dict[str, Any] = {"S": (dims, found["S"], {"units": "m"}), "sigma_dbsm": (dims, sigma, {"units": "dBsm"}),
+    variables: dict[str, Any] = {"S": (dims, found["S"], {"units": "m"}), "sigma_dbsm": (dims, dbsm(found["S"]), {"units": "dBsm"}),
                                  "place": (("centre", "xyz"), found["place"], {"units": "m"}), "mechanism": ("centre", found["mechanism"]),
                                  "rest": (("receive", "transmit"), found["rest"], {"units": "m"})}
     for i, name in enumerate(("persistence_hz", "persistence_azimuth_deg", "persistence_elevation_deg")):
@@ -381,8 +378,8 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     return Convergence(text, data)
 
 
-def outline_of(target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Points as wide as the target (n, 3), and the ends of its edges (n, 2, 3) [m]."""
+def outline_of(target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float32]]:
+    """Points as wide as the target (n, 3), the ends of its edges (n, 2, 3), and its triangles (n, 3, 3) [m]."""
     return _core.outline(_job_of_target("plot", target, 1.0, monostatic(0.0, 0.0), {}))
 
 
@@ -418,13 +415,13 @@ def _threads(threads: Any) -> int:
     return _arguments.whole(threads, "threads")
 
 
-def _solved(make_job: Callable[[], Any], keep_parts: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
+def _solved(make_job: Callable[[], Any], keep_mechanisms: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
     ranks = _ranks.ranks_of(comm)
     with _ranks.telling(ranks):
-        job, count, parts = make_job(), _threads(threads), _arguments.flag(keep_parts, "keep_parts")
+        job, count, kept = make_job(), _threads(threads), _arguments.flag(keep_mechanisms, "keep_mechanisms")
         reported = _Reported(progress if _ranks.leads(ranks) else False)
     with reported as report:
-        found = _core.solve(job, count, parts, report, ranks)
+        found = _core.solve(job, count, kept, report, ranks)
     if found is None:
         return None
     result = Result(found, _core.outline(job))

@@ -1,13 +1,20 @@
-"""Pictures of results, profiles and images. The only module that imports matplotlib."""
+"""What is drawn into one pair of axes. Together with `_figures` the only modules that draw; matplotlib is imported here alone."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+import matplotlib.patches
 import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.ticker import MultipleLocator
 from numpy.typing import NDArray
 
+from raytube._arguments import CHANNELS
 from raytube._core import InputError
+from raytube._rows import (FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, Cut, Floats, Grid, Rows, cuts_of, goes_round, grid_of,
+                           rows_of_result)
 
 if TYPE_CHECKING:
     from xarray import DataArray
@@ -15,161 +22,362 @@ if TYPE_CHECKING:
     from raytube._products import IsarImage, RangeProfiles
     from raytube._result import Result
 
-_ANGLES = {"phi_deg": "azimuth φ (degrees)", "theta_deg": "polar angle θ (degrees)", "rx_phi_deg": "azimuth φ of the receiver (degrees)",
-           "rx_theta_deg": "polar angle θ of the receiver (degrees)"}
-_SYMBOLS = {"theta_deg": "θ", "phi_deg": "φ", "rx_theta_deg": "θ of the receiver", "rx_phi_deg": "φ of the receiver"}
-_DEPTH = 80.0  # below the peak there is nothing to see [dB]
-_MAP_DEPTH = 50.0  # and in colours less
+CURVE_DEPTH, PROFILE_DEPTH, MAP_DEPTH, IMAGE_DEPTH = 80.0, 60.0, 50.0, 40.0  # below the peak there is nothing to see [dB]
+LEAST_DEPTH = 10.0  # less would show rounding [dB]
+TITLES = tuple(channel.upper() for channel in CHANNELS)
+_COLOURS = ("#0072b2", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#e69f00", "#000000", "#7f7f7f")  # Okabe and Ito
+_GREYS = ("#000000", "#808080", "#b0b0b0", "#606060", "#000000", "#808080", "#b0b0b0", "#606060")
+_DASHES = ("-", (0, (1, 1.5)), (0, (6, 2, 1, 2)), (0, (5, 2)))  # by channel
+MARKERS = "osD^vP*X"
+_FEW_POINTS = 60
+_MOST_CELLS = 1500  # along an axis: more than a picture has pixels
+_ANGLE_STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0)
+
+
+@dataclass(frozen=True)
+class Style:
+    """How pictures look: for paper in greys, or on a screen in colours that all eyes part; with the model uncertainty or without."""
+
+    printed: bool = False
+    model: bool = True
+    unit: str = "dbsm"
+    range_db: float | None = None
+
+    @property
+    def colour_map(self) -> str:
+        return "Greys" if self.printed else "viridis"
+
+    @property
+    def colours(self) -> tuple[str, ...]:
+        return _GREYS if self.printed else _COLOURS
+
+    def line(self, result: int, results: int, channel: int, points: int, joined: bool = True) -> dict[str, Any]:
+        """Keywords of a curve: of one result by channel, of several by result, dashed by channel. Points that are not joined have markers alone."""
+        if not joined:
+            return self.line(result, results, channel, 1) | {"markersize": 2.5}
+        marked = points <= _FEW_POINTS or (self.printed and results > 2)
+        return {"color": self.colours[channel if results == 1 else result], "linestyle": _DASHES[channel] if points > 1 else "",
+                "marker": MARKERS[channel if results == 1 else result] if marked else "", "markersize": 4,
+                "markevery": max(1, points // 12) if points > _FEW_POINTS else 1}
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What stands for levels: dBsm, dB below the peak, or square metres, from bottom to top."""
+
+    unit: str
+    peak_dbsm: float
+    bottom: float
+    top: float
+
+    @property
+    def label(self) -> str:
+        return {"dbsm": "σ (dBsm)", "db-peak": "σ (dB below the peak)", "m2": "σ (m²)"}[self.unit]
+
+    def of(self, sigma_dbsm: Any) -> Floats:
+        levels = np.asarray(sigma_dbsm, dtype=float)
+        if self.unit == "m2":
+            return np.asarray(10.0 ** (levels / 10.0))
+        return np.asarray(np.maximum(levels - (self.peak_dbsm if self.unit == "db-peak" else 0.0), self.bottom - 20.0))
+
+
+def scale_of(levels: Any, style: Style, depth: float, exact: bool = False) -> Scale:
+    """A scale that holds levels [dBsm] down to `depth` below their peak; in round numbers, or exactly."""
+    finite = np.asarray(levels, dtype=float)
+    finite = finite[np.isfinite(finite)]
+    peak = float(finite.max(initial=-np.inf)) if finite.size else 0.0
+    if style.unit == "m2":
+        return Scale("m2", peak, 0.0, 10.0 ** (peak / 10.0) * (1.0 if exact else 1.05))
+    least, top = peak - (style.range_db or depth), peak
+    lowest = least if style.range_db else min(float(finite[finite >= least].min(initial=peak)), peak - LEAST_DEPTH)
+    if not exact:
+        lowest, top = lowest if style.range_db else 10.0 * np.floor(lowest / 10.0), 5.0 * np.ceil((peak + 2.0) / 5.0)
+    shift = peak if style.unit == "db-peak" else 0.0
+    return Scale(style.unit, peak, lowest - shift, top - shift)
+
+
+def angle_ticks(axis: Any, key: int, most: int = 9) -> None:
+    """Ticks at degrees that divide a circle: 15, 30, 45."""
+    extent = abs(np.diff(axis.get_view_interval())[0])
+    if key not in (FREQUENCY, LOOK) and extent > _ANGLE_STEPS[0]:
+        axis.set_major_locator(MultipleLocator(next((step for step in _ANGLE_STEPS if extent / step <= most), 90.0)))
+
+
+def draw_cut(ax: Any, rows: Rows, cut: Cut, key: int, channels: list[int], scale: Scale, style: Style, place: tuple[int, int] = (0, 1),
+             name: str = "") -> None:
+    """Curves of one result, the model uncertainty as bands; `place`: which of how many results it is."""
+    angle = ax.name == "polar"
+    x = np.radians(cut.x) if angle else cut.x
+    closed = angle and key in (PHI, RX_PHI) and goes_round(cut.x) and 1e-6 < cut.x[0] + 360.0 - cut.x[-1] < 1.5 * np.mean(np.diff(cut.x))
+    order = np.append(cut.rows, cut.rows[:1]) if closed else cut.rows
+    x = np.append(x, x[:1] + 2.0 * np.pi) if closed else x
+    for channel in channels:
+        sigma, look = rows.sigma[order, channel], style.line(*place, channel, len(x), rows.joined)
+        ax.plot(x, np.maximum(scale.of(sigma), scale.bottom) if angle else scale.of(sigma), label=f"{name} {TITLES[channel]}".strip(), **look)
+        if style.model and rows.model is not None and place[1] == 1 and np.any(rows.model[order, channel] > 0.0):
+            low, high = _spread(sigma, rows.model[order, channel])
+            if rows.joined:
+                ax.fill_between(x, scale.of(low), scale.of(high), color=look["color"], alpha=0.18, linewidth=0.0)
+            else:
+                ax.vlines(x, scale.of(low), scale.of(high), colors=look["color"], alpha=0.3)
+    if not angle:
+        ax.set_xlabel(LABELS[key])
+        ax.set_ylabel(scale.label)
+        ax.set_xlim((cut.x[0], cut.x[-1]) if len(cut.x) > 1 else (cut.x[0] - 1.0, cut.x[0] + 1.0))
+        ax.set_ylim(scale.bottom, scale.top)
+        ax.grid(alpha=0.3)
+        angle_ticks(ax.xaxis, key)
+
+
+def _spread(sigma: Floats, error_db: Floats) -> tuple[Floats, Floats]:
+    """Levels of amplitudes that are smaller and larger by an error, which is given as the larger one's dB."""
+    with np.errstate(divide="ignore"):
+        return sigma + 20.0 * np.log10(np.maximum(2.0 - 10.0 ** (error_db / 20.0), 0.0)), sigma + error_db
+
+
+def add_key(ax: Any, beside: bool = True) -> None:
+    """A key of what is drawn, beside the axes; bands are explained with it, if there are any."""
+    handles, labels = ax.get_legend_handles_labels()
+    if any(isinstance(band, (LineCollection, PolyCollection)) for band in ax.collections):
+        handles, labels = [*handles, matplotlib.patches.Patch(color="#808080", alpha=0.3, linewidth=0.0)], [*labels, "model uncertainty"]
+    if handles:
+        place = {"loc": "upper left", "bbox_to_anchor": (1.1 if ax.name == "polar" else 1.01, 1.0), "borderaxespad": 0.0, "frameon": False}
+        ax.legend(handles, labels, **(place if beside else {}))
+
+
+def dress_polar(ax: Any, scale: Scale, key: int) -> None:
+    """Rings in whole tens of decibels, labelled on white over the curves; polar angles run clockwise from the top."""
+    if key in (THETA, RX_THETA):
+        ax.set_theta_zero_location("N")
+        ax.set_theta_direction(-1)
+    ax.set_ylim(scale.bottom, scale.top)
+    ax.set_xticks(np.radians(np.arange(0, 360, 30)))
+    if scale.unit != "m2":
+        ax.yaxis.set_major_locator(MultipleLocator(10.0))
+    ax.set_rlabel_position(7.5 if key in (PHI, RX_PHI) else 90.0)
+    ax.grid(alpha=0.4)
+    for label in ax.yaxis.get_ticklabels():
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 1.0, "alpha": 0.8})
+
+
+def polar_scale(levels: Floats, style: Style) -> Scale:
+    """Whole rings down to what a tenth of the rows stay below, and a ring more: nulls would push all else to the rim."""
+    finite = levels[np.isfinite(levels)]
+    plain = scale_of(finite, style, CURVE_DEPTH)
+    if style.unit == "m2":
+        return plain
+    peak = 0.0 if style.unit == "db-peak" else plain.peak_dbsm
+    top = 10.0 * np.ceil(peak / 10.0)
+    low = max(float(np.percentile(finite, 10.0)) if finite.size else 0.0, plain.peak_dbsm - CURVE_DEPTH) - plain.peak_dbsm + peak
+    bottom = top - 10.0 * np.ceil(style.range_db / 10.0) if style.range_db else min(10.0 * np.floor(low / 10.0) - 10.0, top - 20.0)
+    return replace(plain, bottom=bottom, top=top)
+
+
+def draw_grid(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+    """A map of levels [up, across]: the whole sphere on axes of a projection, else on plain axes with theta downwards."""
+    if ax.name == "hammer":
+        return _draw_sphere(ax, grid, levels, limits, colours)
+    mesh = draw_cells(ax, grid.x, grid.y, levels, limits, colours)
+    ax.set_xlabel(LABELS[grid.across])
+    ax.set_ylabel(LABELS[grid.up])
+    if grid.across in (PHI, RX_PHI) and grid.up in (THETA, RX_THETA):
+        ax.invert_yaxis()  # the upper side of the target is above
+    angle_ticks(ax.xaxis, grid.across)
+    angle_ticks(ax.yaxis, grid.up)
+    return mesh
+
+
+def draw_cells(ax: Any, x: Floats, y: Floats, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+    """Levels [up, across] as coloured cells; of more cells than pixels the strongest, so that no peak is lost."""
+    x, y, levels = np.asarray(x), np.asarray(y), np.asarray(levels)
+    for axis in (0, 1):
+        together = -(-levels.shape[axis] // _MOST_CELLS)
+        if together > 1:
+            starts = np.arange(0, levels.shape[axis], together)
+            levels = np.fmax.reduceat(levels, starts, axis=axis)
+            at = (y, x)[axis]
+            at = np.add.reduceat(at, starts) / np.diff(np.append(starts, len(at)))
+            x, y = (x, at) if axis == 0 else (at, y)
+    ax.set_facecolor("#ececec")
+    return ax.pcolormesh(x, y, levels, shading="nearest", vmin=limits[0], vmax=limits[1], cmap=colours, rasterized=True)
+
+
+def _draw_sphere(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+    phi = (grid.x + 180.0) % 360.0 - 180.0
+    order = np.unique(phi, return_index=True)[1]
+    phi, levels = np.append(phi[order], phi[order[0]] + 360.0), np.concatenate([levels[:, order], levels[:, order[:1]]], axis=1)
+    east = np.concatenate([[-180.0], 0.5 * (phi[:-1] + phi[1:]), [180.0]])
+    middle = 0.5 * (grid.y[:-1] + grid.y[1:])
+    theta = np.concatenate([[max(0.0, 2.0 * grid.y[0] - middle[0])], middle, [min(180.0, 2.0 * grid.y[-1] - middle[-1])]])
+    ax.grid(False)
+    mesh = ax.pcolormesh(np.radians(east), np.radians(90.0 - theta), levels, vmin=limits[0], vmax=limits[1], cmap=colours, rasterized=True)
+    ax.grid(True, color="white", alpha=0.4, linewidth=0.6)
+    ax.set_xticks(np.radians(np.arange(-120, 121, 60)), [f"φ {phi}°" if phi == 0 else f"{phi}°" for phi in range(-120, 121, 60)])
+    ax.set_yticks(np.radians(np.arange(60, -61, -30)), [f"θ {theta}°" for theta in range(30, 151, 30)])
+    for label in ax.xaxis.get_ticklabels():
+        label.set(fontsize="small", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8, "alpha": 0.75})
+    return mesh
+
+
+def draw_lines(ax: Any, lines: Any, silhouette: int, plane: NDArray[Any], dark: bool) -> None:
+    """Lines of a target (n, 2, 3) in the plane of two unit vectors, thin; the last ones, its silhouette, stronger."""
+    ends = list(np.asarray(lines) @ plane.T)
+    for part, width, alpha in ((ends[:len(ends) - silhouette], 0.4, 0.5), (ends[len(ends) - silhouette:], 0.9, 0.9)):
+        ax.add_collection(LineCollection(part, colors="#404040" if dark else "white", linewidths=width, alpha=alpha))
+
+
+def radar_arrow(ax: Any, dark: bool) -> None:
+    """Where the radar is: below, range grows upwards."""
+    colour = "#404040" if dark else "white"
+    ax.annotate("", (0.05, 0.2), (0.05, 0.08), "axes fraction", arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.2})
+    ax.text(0.05, 0.02, "radar", transform=ax.transAxes, color=colour, ha="center", va="bottom", fontsize="small", clip_on=False)
+
+
+def image_levels(image: IsarImage, channel: str) -> tuple[str, Floats]:
+    """What goes up in the picture of an image, and its levels [up, cross-range]: in space the strongest cell along range."""
+    sigma, up = image["sigma_dbsm"].sel(channel=channel), "range"
+    if "height_m" in sigma.dims:
+        sigma, up = sigma.max("range_m"), "height"
+    return up, np.asarray(sigma.transpose(f"{up}_m", "cross_range_m").values)
+
+
+def draw_image(ax: Any, image: IsarImage, levels: Floats | None, up: str, limits: tuple[float, float], style: Style, edges: Any) -> Any:
+    """An image in its metres, the target over it, and where the radar is; without levels the axes and lines alone."""
+    x, y = image["cross_range_m"].values, image[f"{up}_m"].values
+    mesh = draw_cells(ax, x, y, levels, limits, style.colour_map) if levels is not None else None
+    limits_of_axes = ax.get_xlim(), ax.get_ylim()
+    if edges is not None:
+        plane = np.array([image.attrs["cross_range_direction"], image.attrs[f"{up}_direction"]])
+        draw_lines(ax, edges.transpose("edge", "end", "xyz").values, edges.attrs.get("silhouette", 0), plane, style.printed)
+    ax.set(xlim=limits_of_axes[0], ylim=limits_of_axes[1], xlabel="cross-range (m)", ylabel=f"{up} (m)", aspect="equal")
+    if up == "range":
+        radar_arrow(ax, style.printed)
+    return mesh
+
+
+def sweep_text(frequency_hz: Any, theta_deg: Any, phi_deg: Any) -> str:
+    """Middle frequency, band, and angles of a sweep, in words."""
+    low, high = float(np.min(frequency_hz)) / 1e9, float(np.max(frequency_hz)) / 1e9
+    words = []
+    for symbol, angles in (("θ", theta_deg), ("φ", phi_deg)):
+        half = 0.5 * float(np.max(angles) - np.min(angles))
+        words.append(f"{symbol} = {float(np.min(angles)) + half:.5g}°" + (f" ± {half:.4g}°" if half > 0.0 else ""))
+    words.append(f"f₀ = {0.5 * (low + high):.5g} GHz")
+    return ", ".join([*words, f"B = {high - low:.4g} GHz"] if high > low else words)
+
+
+def image_text(image: Any) -> str:
+    """The sweep of an image and its resolution, in words."""
+    words = [sweep_text(*(image.attrs[name] for name in ("frequency_hz", "theta_deg", "phi_deg")))] if "phi_deg" in image.attrs else []
+    resolution = [f"{image.attrs[f'{name}_resolution_m']:.3g} m" for name in ("range", "cross_range", "height")
+                  if f"{name}_resolution_m" in image.attrs]
+    return "\n".join([*words, f"resolution {' × '.join(resolution)}"])
+
+
+def draw_profile(ax: Any, ranges: Floats, sigma: dict[str, Floats], style: Style) -> None:
+    """Levels against range, a curve a channel."""
+    scale = scale_of(np.concatenate(list(sigma.values())), style, PROFILE_DEPTH)
+    for channel, levels in sigma.items():
+        ax.plot(ranges, levels, label=channel.upper(), **style.line(0, 1, CHANNELS.index(channel), _FEW_POINTS + 1) | {"marker": ""})
+    ax.set(xlabel="range (m)", ylabel="σ (dBsm)", xlim=(ranges[0], ranges[-1]), ylim=(scale.bottom, scale.top))
+    ax.grid(alpha=0.3)
+
+
+def looks_axis(profiles: Any) -> tuple[Floats, int]:
+    """What differs from look to look: one angle, or else their number."""
+    names = {"phi_deg": PHI, "theta_deg": THETA, "rx_phi_deg": RX_PHI, "rx_theta_deg": RX_THETA}
+    varying = [name for name in names if name in profiles.coords and np.ptp(profiles[name].values) > 0.0]
+    if len(varying) > 1:  # a receiver that goes along with its radar
+        varying = [name for name in varying if not name.startswith("rx_") or
+                   np.any(profiles[name].values != profiles[name.removeprefix("rx_")].values)]
+    if len(varying) == 1 and np.all(np.diff(profiles[varying[0]].values) > 0.0):
+        return profiles[varying[0]].values, names[varying[0]]
+    return np.arange(profiles.sizes["look"]), LOOK
+
+
+def draw_waterfall(ax: Any, profiles: Any, levels: Floats, limits: tuple[float, float], style: Style) -> Any:
+    """Levels [look, range] as a map."""
+    y, key = looks_axis(profiles)
+    mesh = draw_cells(ax, profiles["range_m"].values, y, levels, limits, style.colour_map)
+    ax.set(xlabel="range (m)", ylabel=LABELS[key])
+    angle_ticks(ax.yaxis, key)
+    return mesh
 
 
 def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
-    import matplotlib.pyplot as plt
-
-    ax = ax or plt.subplots(constrained_layout=True)[1]
-    looks, frequencies = result.S.shape[:2]
-    grid = _grid(result) if frequencies == 1 else None
+    """See `Result.plot`."""
+    rows, (looks, frequencies), style = rows_of_result(result), result.S.shape[:2], Style()
+    chosen = [CHANNELS.index(channel) for channel in channels]
+    key, cuts = cuts_of(rows)
     if looks > 1 and frequencies > 1:
-        x, label = _swept(result)
-        _map(result, channels[0], ax, (x, label), (result._stored.frequency_hz / 1e9, "frequency (GHz)"), False)
-    elif grid:
-        _map(result, channels[0], ax, *grid)
-    elif frequencies > 1:
-        _curves(result, channels, ax, result._stored.frequency_hz / 1e9, "frequency (GHz)", 0)
+        varying = [k for k in (PHI, THETA, RX_PHI, RX_THETA) if rows.known[k] and np.ptp(rows.keys[:, k]) > 0.0]
+        across = varying[0] if len(varying) == 1 else LOOK
+        x = rows.keys[::frequencies, across] if across != LOOK else np.arange(float(looks))
+        grid: Grid | None = Grid(across, FREQUENCY, x, rows.keys[:frequencies, FREQUENCY],
+                                 np.arange(looks * frequencies).reshape(looks, frequencies).T, "", True)
     else:
-        x, label = _swept(result)
-        _curves(result, channels, ax, x, label, 1)
-    ax.set_title(_title(result))
+        grid = grid_of(rows, rows.peak_row(chosen), 1) if np.any(np.isfinite(rows.sigma[:, chosen])) else None
+    ax = ax or _new_axes()
+    if grid:
+        scale = scale_of(grid.over(rows.sigma[:, chosen[0]]), style, MAP_DEPTH, exact=True)
+        mesh = draw_grid(ax, grid, grid.over(rows.sigma[:, chosen[0]]), (scale.bottom, scale.top), style.colour_map)
+        ax.figure.colorbar(mesh, ax=ax, label=f"σ, {TITLES[chosen[0]]} (dBsm)")
+    else:
+        cut = cuts[0] if len(cuts) == 1 else Cut("", np.arange(len(rows.keys)), np.arange(float(len(rows.keys))))
+        scale = scale_of(rows.sigma[:, chosen], style, CURVE_DEPTH)
+        draw_cut(ax, rows, cut, key if len(cuts) == 1 else LOOK, chosen, scale, style)
+        add_key(ax, beside=False)
+    ax.set_title(_title(rows))
     return ax
 
 
 def plot_polar(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
-    import matplotlib.pyplot as plt
-
-    x, label = _swept(result)
-    if "azimuth" not in label or result.S.shape[1] != 1:
+    """See `Result.plot_polar`."""
+    rows, style, chosen = rows_of_result(result), Style(), [CHANNELS.index(channel) for channel in channels]
+    key, cuts = cuts_of(rows)
+    if key not in (PHI, RX_PHI) or len(cuts) != 1:
         raise InputError("plot_polar: needs looks that differ in one azimuth, at one frequency; choose these, or use plot")
-    ax = ax or plt.subplots(subplot_kw={"projection": "polar"}, constrained_layout=True)[1]
-    floor = _peak(result.sigma_dbsm.sel(channel=list(channels)).values) - 60.0
-    for channel in channels:
-        ax.plot(np.radians(x), np.maximum(result.sigma_dbsm.sel(channel=channel).values[:, 0], floor), label=channel.upper())
-    ax.set_rlabel_position(90)
-    ax.set_ylim(bottom=floor)
-    ax.set_title(f"{_title(result)}\nσ (dBsm) against {label}")
-    ax.legend(loc="lower left", bbox_to_anchor=(-0.15, -0.1))
+    ax = ax or _new_axes("polar")
+    scale = polar_scale(rows.sigma[:, chosen], style)
+    draw_cut(ax, rows, cuts[0], key, chosen, scale, style)
+    dress_polar(ax, scale, key)
+    ax.set_title(f"{_title(rows)}\nσ (dBsm) against {LABELS[key]}")
+    add_key(ax)
     return ax
 
 
 def plot_profiles(profiles: RangeProfiles, channels: tuple[str, ...], ax: Any) -> Any:
-    import matplotlib.pyplot as plt
-
-    ax = ax or plt.subplots(constrained_layout=True)[1]
-    sigma, ranges = profiles["sigma_dbsm"].sel(channel=list(channels)), profiles["range_m"].values
+    """See `RangeProfiles.plot`."""
+    ax, sigma = ax or _new_axes(), profiles["sigma_dbsm"].sel(channel=list(channels))
     if "look" in sigma.dims:
-        varying = [name for name in _ANGLES if name in profiles.coords and np.ptp(profiles[name].values) > 0.0]
-        y, label = (profiles[varying[0]].values, _ANGLES[varying[0]]) if len(varying) == 1 else (np.arange(sigma.sizes["look"]), "look")
         levels = sigma.sel(channel=channels[0]).transpose("look", "range_m").values
-        _colours(ax, (ranges, "range (m)"), (y, label), levels, channels[0])
+        scale = scale_of(levels, Style(), MAP_DEPTH, exact=True)
+        mesh = draw_waterfall(ax, profiles, levels, (scale.bottom, scale.top), Style())
+        ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channels[0].upper()} (dBsm)")
     else:
-        for channel in channels:
-            ax.plot(ranges, sigma.sel(channel=channel).values, label=channel.upper())
-        ax.set_ylim(bottom=max(ax.get_ylim()[0], _peak(sigma.values) - _DEPTH))
-        ax.set_xlabel("range (m)")
-        ax.set_ylabel("σ (dBsm)")
-        ax.grid(alpha=0.3)
-        ax.legend()
+        draw_profile(ax, profiles["range_m"].values, {c: sigma.sel(channel=c).values for c in channels}, Style())
+        add_key(ax, beside=False)
     ax.set_title(profiles.attrs["title"])
     return ax
 
 
 def plot_isar(image: IsarImage, channel: str, ax: Any, edges: DataArray | None) -> Any:
-    import matplotlib.pyplot as plt
-    from matplotlib.collections import LineCollection
-
-    ax = ax or plt.subplots(constrained_layout=True)[1]
-    sigma, up = image["sigma_dbsm"].sel(channel=channel), "range"
-    if "height_m" in sigma.dims:
-        sigma, up = sigma.max("range_m"), "height"
-    levels = sigma.transpose(f"{up}_m", "cross_range_m").values
-    _colours(ax, (image["cross_range_m"].values, "cross-range (m)"), (image[f"{up}_m"].values, f"{up} (m)"), levels, channel)
-    if edges is not None:
-        axes = np.array([image.attrs["cross_range_direction"], image.attrs[f"{up}_direction"]])
-        limits = ax.get_xlim(), ax.get_ylim()
-        ax.add_collection(LineCollection(list(edges.transpose("edge", "end", "xyz").values @ axes.T), colors="white", linewidths=0.4, alpha=0.6))
-        ax.set(xlim=limits[0], ylim=limits[1])
-    ax.set_aspect("equal")
-    ax.set_title(image.attrs["title"])
+    """See `IsarImage.plot`."""
+    ax, (up, levels) = ax or _new_axes(), image_levels(image, channel)
+    scale = scale_of(levels, Style(), MAP_DEPTH, exact=True)
+    mesh = draw_image(ax, image, levels, up, (scale.bottom, scale.top), Style(), edges)
+    ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")
+    ax.set_title("\n".join(text for text in (image.attrs.get("title", ""), image_text(image)) if text), fontsize="medium")
     return ax
 
 
-def _title(result: Result) -> str:
+def _new_axes(projection: str | None = None) -> Any:
+    import matplotlib.pyplot as plt
+
+    return plt.subplots(constrained_layout=True, subplot_kw={"projection": projection})[1]
+
+
+def _title(rows: Rows) -> str:
     """The title of the case, and what all rows have in common."""
-    words = [result.title] if result.title else []
-    if result.S.shape[1] == 1:
-        words.append(f"{result._stored.frequency_hz[0] / 1e9:g} GHz")
-    for name, symbol in _SYMBOLS.items():
-        angles = getattr(result._stored, name)
-        if np.ptp(angles) == 0.0 and (result._stored.bistatic or not name.startswith("rx_")):
-            words.append(f"{symbol} = {angles[0]:g}°")
-    return ", ".join(words)
-
-
-def _peak(sigma: NDArray[np.float64]) -> float:
-    return float(np.max(sigma[np.isfinite(sigma)], initial=-300.0))
-
-
-def _varying(result: Result) -> list[str]:
-    varying = [name for name in _ANGLES if np.ptp(getattr(result._stored, name)) > 0.0]
-    return varying if result._stored.bistatic else [name for name in varying if not name.startswith("rx_")]
-
-
-def _grid(result: Result) -> tuple[tuple[NDArray[Any], str], tuple[NDArray[Any], str], bool] | None:
-    """Two angles, each value of one with each of the other: what goes across and up, and whether looks run across first."""
-    varying = _varying(result)
-    if len(varying) != 2:
-        return None
-    across, up = varying  # an azimuth comes before its polar angle
-    for fast, slow, across_first in ((across, up, True), (up, across, False)):
-        fast_values, slow_values = getattr(result._stored, fast), getattr(result._stored, slow)
-        run = int(np.argmax(slow_values != slow_values[0]))
-        if run > 1 and len(fast_values) % run == 0:
-            rows, columns = fast_values.reshape(-1, run), slow_values.reshape(-1, run)
-            if np.all(rows == rows[0]) and np.all(columns == columns[:, :1]):
-                values = {fast: rows[0], slow: columns[:, 0]}
-                return (values[across], _ANGLES[across]), (values[up], _ANGLES[up]), across_first
-    return None
-
-
-def _swept(result: Result) -> tuple[NDArray[Any], str]:
-    varying = _varying(result)
-    if len(varying) == 1:
-        return getattr(result._stored, varying[0]), _ANGLES[varying[0]]
-    return np.arange(result.S.shape[0]), "look"
-
-
-def _curves(result: Result, channels: tuple[str, ...], ax: Any, x: NDArray[Any], label: str, axis: int) -> None:
-    marker = "o" if len(x) == 1 else ""
-    for channel in channels:
-        sigma = result.sigma_dbsm.sel(channel=channel).values
-        ax.plot(x, sigma[:, 0] if axis == 1 else sigma[0], marker=marker, label=channel.upper())
-    peak = _peak(result.sigma_dbsm.sel(channel=list(channels)).values)
-    ax.set_ylim(bottom=max(ax.get_ylim()[0], peak - _DEPTH))
-    ax.set_xlabel(label)
-    ax.set_ylabel("σ (dBsm)")
-    ax.grid(alpha=0.3)
-    ax.legend()
-
-
-def _map(result: Result, channel: str, ax: Any, across: tuple[NDArray[Any], str], up: tuple[NDArray[Any], str], across_first: bool) -> None:
-    (x, x_label), (y, y_label) = across, up
-    sigma = result.sigma_dbsm.sel(channel=channel).values.reshape((len(y), len(x)) if across_first else (len(x), len(y)))
-    _colours(ax, (x, x_label), (y, y_label), sigma if across_first else sigma.T, channel)
-
-
-def _colours(ax: Any, across: tuple[NDArray[Any], str], up: tuple[NDArray[Any], str], sigma: NDArray[Any], channel: str) -> None:
-    """Levels [up, across]."""
-    peak = _peak(sigma)
-    lowest = max(float(np.min(sigma[np.isfinite(sigma)], initial=peak)), peak - _MAP_DEPTH)
-    mesh = ax.pcolormesh(across[0], up[0], sigma, shading="nearest", vmin=lowest, vmax=peak)
-    ax.set_xlabel(across[1])
-    ax.set_ylabel(up[1])
-    ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")
+    varying = tuple(key for key in range(5) if np.ptp(rows.keys[:, key]) > 0.0)
+    return ", ".join(text for text in (rows.title, rows.fixed(0, varying)) if text)

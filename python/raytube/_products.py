@@ -11,12 +11,18 @@ from numpy.typing import NDArray
 from raytube import _arguments, _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
+from raytube._geometry import Outline, drawn_lines
+from raytube._tables import dbsm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from raytube._result import Result
     from raytube._target import Target
+
+    _Dataset: Any  # xarray's own types come with some of its versions alone
+else:
+    _Dataset = xr.Dataset
 
 _WINDOWS = ("rectangular", "hann", "hamming", "taylor", "kaiser")
 _SHAPED = ("taylor", "kaiser")
@@ -25,7 +31,7 @@ _AXES = {"range_m": "range", "cross_range_m": "cross-range", "height_m": "height
 _MOST_PADDING, _MOST_PIXELS, _LONGEST = 64, 32.0, 1e6
 
 
-class RangeProfiles(xr.Dataset):
+class RangeProfiles(_Dataset):  # type: ignore[misc]
     """Range profiles of one look (range_m, channel), or of many (look, range_m, channel). Made by `Result.range_profile` and
     `Result.waterfall`.
 
@@ -37,7 +43,7 @@ class RangeProfiles(xr.Dataset):
 
     __slots__ = ()
 
-    def plot(self, channels: Any = ("vv", "hh"), ax: Axes | None = None) -> Axes:  # type: ignore[override,assignment,unused-ignore]
+    def plot(self, channels: Any = ("vv", "hh"), ax: Axes | None = None) -> Axes:
         """Draws sigma against range, a curve a channel; of many looks a map of the first channel over range and looks.
 
         Parameters
@@ -56,21 +62,22 @@ class RangeProfiles(xr.Dataset):
         return _plots.plot_profiles(self, _arguments.channels(channels, "plot"), ax)
 
 
-class IsarImage(xr.Dataset):
+class IsarImage(_Dataset):  # type: ignore[misc]
     """An image in the coordinates range_m, cross_range_m and, in space, height_m. Made by `Result.isar` and `Result.isar_3d`.
 
-    ``S`` is I(x) [m], complex; ``sigma_dbsm`` its level; ``outline`` has the ends of the target's edges, in its own coordinates [m],
-    where the target is known. ``attrs``: of each axis ``..._direction``, a unit vector in the coordinates of the target (a cell's place is the
-    sum of its coordinates times these), ``..._resolution_m`` and ``..._unambiguous_m``. Range is away from the radar in the middle of the
+    ``S`` is I(x) [m], complex; ``sigma_dbsm`` its level; ``outline`` has the ends of the target's edges and of its silhouette across the
+    image, in its own coordinates [m], where the target is known. ``attrs``: of each axis ``..._direction``, a unit vector in the coordinates of the target (a cell's place is the
+    sum of its coordinates times these), ``..._resolution_m`` and ``..._unambiguous_m``; ``frequency_hz``, ``theta_deg``,
+    ``phi_deg``: the lowest and the highest one of the sweep. Range is away from the radar in the middle of the
     angles, height upwards as seen from there; with azimuth alone range and cross-range lie in the plane z = 0.
     """
 
     __slots__ = ()
 
-    def plot(self, channel: str | None = None, ax: Axes | None = None,  # type: ignore[override,assignment,unused-ignore]
+    def plot(self, channel: str | None = None, ax: Axes | None = None,
              target: Target | None = None) -> Axes:
-        """Draws sigma, range upwards and cross-range to the right, and over it the edges of the target where it is known; of an image
-        in space what the radar sees: height upwards, the strongest cell along the range.
+        """Draws sigma, range upwards and cross-range to the right, and over it edges and silhouette of the target where it is known; of
+        an image in space what the radar sees: height upwards, the strongest cell along the range.
 
         Parameters
         ----------
@@ -79,17 +86,19 @@ class IsarImage(xr.Dataset):
         ax : matplotlib Axes, optional
             Default: a new figure.
         target : Target, optional
-            Its edges are drawn, for an image that does not know them, as one of a file.
+            Its edges and silhouette are drawn, for an image that does not know them.
 
         Returns
         -------
         matplotlib Axes
         """
         from raytube import _plots
+        from raytube._jobs import outline_of
 
         known = [name for name in CHANNELS if not np.all(np.isnan(self["sigma_dbsm"].sel(channel=name).values))]
         chosen = _arguments.channels(channel, "plot")[0] if channel is not None else (known or ["vv"])[0]
-        return _plots.plot_isar(self, chosen, ax, _edges_of(target) if target is not None else self.get("outline"))
+        return _plots.plot_isar(self, chosen, ax,
+                                outline_over(self, outline_of(target)) if target is not None else self.get("outline"))
 
 
 def range_profile(result: Result, look: Any, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
@@ -98,8 +107,8 @@ def range_profile(result: Result, look: Any, window: Any, sidelobe_db: Any, padd
     looks = result.S.sizes["look"]
     if index >= looks:
         raise InputError(f"look {index}: there are {looks} direction pair(s), counted from 0; choose among these")
-    profiles = _profiles(result, index, window, sidelobe_db, padding)
-    return profiles.isel(look=0)
+    profiles: RangeProfiles = _profiles(result, index, window, sidelobe_db, padding).isel(look=0)
+    return profiles
 
 
 def waterfall(result: Result, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
@@ -113,19 +122,31 @@ def isar(result: Result, size: Any, pixels: Any, window: Any, sidelobe_db: Any, 
     density = _between(pixels, "pixels", 1.0, _MOST_PIXELS)
     lengths = _size(size, axes)
     _check_angles(result, axes)
-    outermost, lines = result._outline if result._outline is not None else (np.empty((0, 3)), None)
+    outermost = result._outline[0] if result._outline is not None else np.empty((0, 3))
     found, s = _core.isar(result._stored, outermost.tolist(), lengths, density, kind, sidelobes)
     names = tuple(_AXES)[:axes]
     coordinates = {name: (name, axis["at_m"], {"units": "m", "long_name": _AXES[name]}) for name, axis in zip(names, found)}
+    stored = result._stored
     attributes: dict[str, Any] = {"title": result.title, "window": _window_text(kind, sidelobes)}
+    for name, values in (("frequency_hz", stored.frequency_hz), ("theta_deg", stored.theta_deg), ("phi_deg", stored.phi_deg)):
+        attributes[name] = (float(values.min()), float(values.max()))
     for name, axis in zip(names, found):
         plain = name.removesuffix("_m")
         attributes |= {f"{plain}_direction": axis["direction"], f"{plain}_resolution_m": axis["resolution_m"],
                        f"{plain}_unambiguous_m": axis["unambiguous_m"]}
     variables = _levels((*names, "channel"), s, "ISAR image I")
-    if lines is not None:
-        variables["outline"] = (("edge", "end", "xyz"), lines, {"units": "m", "long_name": "edges of the target"})
-    return IsarImage(variables, coordinates | {"channel": list(CHANNELS)}, attributes)
+    image = IsarImage(variables, coordinates | {"channel": list(CHANNELS)}, attributes)
+    if result._outline is not None:
+        image["outline"] = outline_over(image, result._outline)
+    return image
+
+
+def outline_over(image: xr.Dataset, outline: Outline) -> xr.DataArray:
+    """Edges and silhouette of a target as they are seen across an image."""
+    up = "height" if "height_m" in image.dims else "range"
+    lines, last = drawn_lines(outline, [image.attrs["cross_range_direction"], image.attrs[f"{up}_direction"]])
+    return xr.DataArray(lines, dims=("edge", "end", "xyz"),
+                        attrs={"units": "m", "long_name": "edges of the target, and last its silhouette", "silhouette": last})
 
 
 def _profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
@@ -142,7 +163,7 @@ def _profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, p
     variables = _levels(("look", "range_m", "channel"), made["S"], "range profile p")
     for name, values, text in (("error_dbsm", made["error_m"], "numerical error if all of it were at one range"),
                                ("model_dbsm", made["model_m"], "model uncertainty if all of it were at one range")):
-        variables[name] = (("look", "channel"), _dbsm(values[:, 0]), {"units": "dBsm", "long_name": text})
+        variables[name] = (("look", "channel"), dbsm(values[:, 0]), {"units": "dBsm", "long_name": text})
     attributes = {"title": result.title, "window": _window_text(kind, sidelobes), "range_resolution_m": made["resolution_m"],
                   "range_unambiguous_m": made["unambiguous_m"],
                   "range_direction": "away from the radar along the line of sight, from the origin of the mesh's coordinates; of a bistatic "
@@ -152,13 +173,7 @@ def _profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, p
 
 def _levels(dims: tuple[str, ...], s: NDArray[np.complex128], name: str) -> dict[str, Any]:
     return {"S": (dims, s, {"units": "m", "long_name": name}),
-            "sigma_dbsm": (dims, _dbsm(s), {"units": "dBsm", "long_name": "radar cross-section"})}
-
-
-def _dbsm(amplitude: NDArray[Any]) -> NDArray[np.float64]:
-    with np.errstate(divide="ignore"):
-        level: NDArray[np.float64] = 20.0 * np.log10(np.abs(amplitude)) + 10.0 * np.log10(4.0 * np.pi)
-    return level
+            "sigma_dbsm": (dims, dbsm(s), {"units": "dBsm", "long_name": "radar cross-section"})}
 
 
 def _window(window: Any, sidelobe_db: Any) -> tuple[str, float]:
@@ -200,8 +215,3 @@ def _check_angles(result: Result, axes: int) -> None:
     if not both and axes == 3:
         raise InputError("isar_3d: an image in space needs looks over theta and phi both; use isar for one of them")
 
-
-def _edges_of(target: Any) -> xr.DataArray:
-    from raytube._jobs import outline_of
-
-    return xr.DataArray(outline_of(target)[1], dims=("edge", "end", "xyz"))

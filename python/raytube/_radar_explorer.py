@@ -12,6 +12,7 @@ import numpy as np
 
 from raytube import _arguments, _core
 from raytube._arguments import CHANNELS
+from raytube._command import new_files
 from raytube._core import InputError
 from raytube._result import Result
 
@@ -75,19 +76,12 @@ def read_radar_explorer(file: str | os.PathLike[str]) -> Result:
 def _write_channel(result: Result, folder: Path, name: str, channel: str, geometry: list[Path]) -> Path:
     upper = channel.upper()
     frame = _frame(result, channel, upper)
-    data, metadata = folder / f"{upper}_data_{name}.h5", folder / f"{upper}_{name}.json"
-    beside = data.with_suffix(".h5.part")
-    try:
-        frame.to_hdf(beside, key=_KEY, mode="w", format="table")
-        os.replace(beside, data)
-    finally:
-        beside.unlink(missing_ok=True)
-    text = {"solution": name, "monostatic_file": data.name, "model_units": "meter", "frequency_units": "GHz",
-            "model_info": {part.stem: [part.name, [143, 175, 143], 1.0, "meter"] for part in geometry}}
-    beside = metadata.with_suffix(".json.part")
-    beside.write_text(json.dumps(text, indent=2))
-    os.replace(beside, metadata)
-    return metadata
+    with new_files(folder) as beside:
+        frame.to_hdf(beside / f"{upper}_data_{name}.h5", key=_KEY, mode="w", format="table")
+        text = {"solution": name, "monostatic_file": f"{upper}_data_{name}.h5", "model_units": "meter", "frequency_units": "GHz",
+                "model_info": {part.stem: [part.name, [143, 175, 143], 1.0, "meter"] for part in geometry}}
+        (beside / f"{upper}_{name}.json").write_text(json.dumps(text, indent=2))
+    return folder / f"{upper}_{name}.json"
 
 
 def _frame(result: Result, channel: str, name: str) -> Any:

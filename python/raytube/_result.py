@@ -24,10 +24,10 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
+    from raytube._geometry import Outline
     from raytube._products import IsarImage, RangeProfiles
 
 _Choice = str | tuple[str, ...] | list[str]
-_Outline = tuple[NDArray[np.float64], NDArray[np.float64]]  # points as wide as the target, ends of its edges [m]
 _S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
 
 
@@ -42,9 +42,9 @@ class Result:
     """
 
     _stored: _core.Stored
-    _outline: _Outline | None
+    _outline: Outline | None
 
-    def __init__(self, stored: _core.Stored, outline: _Outline | None = None) -> None:
+    def __init__(self, stored: _core.Stored, outline: Outline | None = None) -> None:
         self.__dict__["_stored"] = stored
         self.__dict__["_outline"] = outline
 
@@ -75,21 +75,21 @@ class Result:
         return self._channels(self._stored.model_db, {"units": "dB", "long_name": "model uncertainty"})
 
     @property
-    def parts(self) -> xr.Dataset:
-        """S by mechanism [m], complex, one variable each: ``bounce1``, ``bounce2``, ..., ``edges_first_order``, ``edges_second_order``,
-        ``between``, ``surface``; they add up to S to rounding.
+    def mechanisms(self) -> xr.Dataset:
+        """S by mechanism [m], complex, one variable each: ``bounce_1``, ``bounce_2``, ..., ``edges_order_1``, ``edges_order_2_on``,
+        ``interaction``, ``surface_waves``; they add up to S to rounding.
 
         Raises
         ------
         InputError
-            If the result was made without ``keep_parts=True``.
+            If the result was made without ``keep_mechanisms=True``.
         """
-        parts = self._stored.parts
-        if not parts:
-            raise InputError("parts: the result does not keep its mechanisms apart; solve with keep_parts=True")
+        mechanisms = self._stored.mechanisms
+        if not mechanisms:
+            raise InputError("mechanisms: the result does not keep its mechanisms apart; solve with keep_mechanisms=True")
         import xarray as xr
 
-        return xr.Dataset({name: self._array(values, ("receive", "transmit"), _S_UNITS) for name, values in parts.items()})
+        return xr.Dataset({name: self._array(values, ("receive", "transmit"), _S_UNITS) for name, values in mechanisms.items()})
 
     @property
     def incoherent_m2(self) -> xr.DataArray | None:
@@ -115,15 +115,15 @@ class Result:
         return case
 
     @property
-    def statistics(self) -> dict[str, Any]:
-        """Counts of the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
+    def counts(self) -> dict[str, Any]:
+        """What was counted in the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
         counts: dict[str, Any] = self._json("counts", {})
         return counts
 
     @property
     def skipped(self) -> list[dict[str, Any]]:
         """What was left out, how often, and why."""
-        skipped: list[dict[str, Any]] = self.statistics.get("skipped", [])
+        skipped: list[dict[str, Any]] = self.counts.get("skipped", [])
         return skipped
 
     @property
@@ -476,7 +476,7 @@ class Result:
                             coords=self._coordinates | channels, attrs=attributes)
 
 
-def _unpickled(content: bytes, outline: _Outline | None) -> Result:
+def _unpickled(content: bytes, outline: Outline | None) -> Result:
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "result.nc")
         with open(file, "wb") as stream:

@@ -30,7 +30,7 @@ std::optional<Material> read_material(const CaseValue& value, const CaseValue& r
   if (choice->kind == "solid")
     reject(value, "ground.material is a solid, which fills a body; write kind = \"dielectric\" in its section");
   if (choice->kind == "pec" && choice->roughness_mm == 0.0) return {};
-  return material_of(*choice, c, find(root, "frequency", "ghz")->location);
+  return material_of(*choice, c, find(root, "frequency.ghz")->location);
 }
 
 // On the horizon the reflected wave takes all away, but over a perfect conductor.

@@ -22,55 +22,15 @@ constexpr std::array<std::string_view, 14> source_case_keys = {
     "title",          "scene.box_m",   "scene.parts.name", "scene.parts.mesh", "scene.parts.unit", "scene.parts.surface",
     "source.point_m", "source.models", "source.rays",      "source.seed",      "source.wall",      "source.max_reflections",
     "source.counted", "output.plots"};
+constexpr std::array<std::string_view, 4> run_sections = {"target", "look", "frequency", "materials"};
 constexpr std::array<std::string_view, 6> wall_names = {"-x", "+x", "-y", "+y", "-z", "+z"};
+constexpr std::array<std::string_view, 2> surface_names = {"pec", "absorber"};
 constexpr double most_rays = 1e8, most_seed = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles
-
-bool is_known(const std::string& key) { return std::ranges::find(source_case_keys, key) != source_case_keys.end(); }
-
-bool is_above_known(const std::string& key) {
-  return std::ranges::any_of(source_case_keys, [&](std::string_view known) { return known.starts_with(key + "."); });
-}
-
-// Tables, and lists of tables, down to the keys inside; a key inside tells better than its misspelt section what was meant.
-void check_keys(const CaseValue& table, const std::string& prefix) {
-  for (std::size_t i = 0; i < table.keys.size(); ++i) {
-    const std::string key = prefix + table.keys[i];
-    const CaseValue& value = table.items[i];
-    if (is_known(key)) continue;
-    if (key == "target" || key == "look" || key == "frequency" || key == "materials")
-      reject(value, fmt::format("[{}] belongs to a case for raytube run; run it with that command", key));
-    if (!is_above_known(key)) {
-      const bool holds_key = value.kind == Kind::table && !value.keys.empty();
-      const std::string meant = holds_key ? key + "." + value.keys.front() : key;
-      const std::string_view nearest = nearest_key(meant, source_case_keys);
-      reject(value, fmt::format("unknown key \"{}\"; {}", quotable(meant),
-                                nearest.empty() ? "choose among " + joined(source_case_keys, ", ")
-                                                : fmt::format("did you mean \"{}\"?", nearest)));
-    }
-    if (key == "scene.parts") {
-      if (value.kind != Kind::list) reject(value, "scene.parts must be a list of parts; write [[scene.parts]] before each");
-      for (const CaseValue& part : value.items) {
-        if (part.kind != Kind::table) reject(part, "every entry of scene.parts must be a part; write [[scene.parts]]");
-        check_keys(part, "scene.parts.");
-      }
-      continue;
-    }
-    if (value.kind != Kind::table) reject(value, fmt::format("{0} must be a section; write [{0}]", key));
-    check_keys(value, key + ".");
-  }
-}
 
 const CaseValue& require_of_part(const CaseValue& part, std::string_view key, std::string_view remedy) {
   const CaseValue* value = part.find(key);
   if (!value) reject(part, fmt::format("scene.parts.{} is missing; add {} to this part", key, remedy));
   return *value;
-}
-
-RaySurface read_surface(const CaseValue& value) {
-  const std::string text = read_text(value, "scene.parts.surface");
-  if (text == "pec") return RaySurface::pec;
-  if (text == "absorber") return RaySurface::absorber;
-  reject(value, fmt::format("scene.parts.surface \"{}\" is unknown; write \"pec\" or \"absorber\"", quotable(text)));
 }
 
 // Names become columns of a table and words of a picture.
@@ -90,12 +50,13 @@ ScenePart read_part(const CaseValue& table, const std::filesystem::path& folder)
   part.mesh_file = (folder / file).lexically_normal();
   part.metres_per_unit = read_unit(
       require_of_part(table, "unit", "unit = \"m\" (or cm, mm, um, in, ft: the length of one mesh unit)"), "scene.parts.unit");
-  part.surface = read_surface(require_of_part(table, "surface", "surface = \"pec\" or \"absorber\""));
+  const CaseValue& surface = require_of_part(table, "surface", "surface = \"pec\" or \"absorber\"");
+  part.surface = read_word(surface, "scene.parts.surface", surface_names) == 0 ? RaySurface::pec : RaySurface::absorber;
   return part;
 }
 
 void read_parts(const CaseValue& root, SourceCase& c) {
-  const CaseValue* list = find(root, "scene", "parts");
+  const CaseValue* list = find(root, "scene.parts");
   if (!list || list->items.empty())
     throw InputError(root.location + ": no scene; add a [[scene.parts]] with name, mesh, unit and surface for every part");
   for (const CaseValue& table : list->items) {
@@ -118,7 +79,7 @@ void read_box(const CaseValue& value, SourceCase& c) {
 }
 
 void read_points(const CaseValue& root, SourceCase& c) {
-  const CaseValue& value = require(root, "source", "point_m", "point_m = [x, y, z] or a list of these");
+  const CaseValue& value = require(root, "source.point_m", "point_m = [x, y, z] or a list of these");
   c.points = read_vectors(value, "source.point_m");
 }
 
@@ -131,21 +92,13 @@ std::vector<const CaseValue*> entries(const CaseValue& value, const std::string&
   return all;
 }
 
-LaunchModel read_model(const CaseValue& value) {
-  const std::string name = read_text(value, "source.models");
-  const auto found = std::ranges::find(launch_model_names, name);
-  if (found == launch_model_names.end())
-    reject(value, fmt::format("source.models \"{}\" is unknown; write {}", quotable(name), joined(launch_model_names, ", ")));
-  return static_cast<LaunchModel>(found - launch_model_names.begin());
-}
-
 void read_models(const CaseValue* value, SourceCase& c) {
   if (!value) {
     for (std::size_t i = 0; i < launch_model_names.size(); ++i) c.models.push_back(static_cast<LaunchModel>(i));
     return;
   }
   for (const CaseValue* item : entries(*value, "source.models")) {
-    c.models.push_back(read_model(*item));
+    c.models.push_back(static_cast<LaunchModel>(read_word(*item, "source.models", launch_model_names)));
     if (std::ranges::count(c.models, c.models.back()) > 1)
       reject(*item, fmt::format("source.models names \"{}\" twice; name it once", launch_model_name(c.models.back())));
   }
@@ -153,7 +106,7 @@ void read_models(const CaseValue* value, SourceCase& c) {
 
 void read_rays(const CaseValue& value, SourceCase& c) {
   for (const CaseValue* item : entries(value, "source.rays"))
-    c.rays.push_back(static_cast<std::uint64_t>(read_whole(*item, "source.rays", 1, static_cast<int>(most_rays))));
+    c.rays.push_back(static_cast<std::uint64_t>(read_whole(*item, "source.rays", {1, most_rays})));
   std::ranges::sort(c.rays);
   if (std::ranges::adjacent_find(c.rays) != c.rays.end()) reject(value, "source.rays gives a number twice; give it once");
 }
@@ -165,16 +118,8 @@ void read_seed(const CaseValue& value, SourceCase& c) {
   c.seed = static_cast<std::uint64_t>(seed);
 }
 
-void read_wall(const CaseValue& value, SourceCase& c) {
-  const std::string name = read_text(value, "source.wall");
-  const auto found = std::ranges::find(wall_names, name);
-  if (found == wall_names.end())
-    reject(value, fmt::format("source.wall \"{}\" is unknown; write {}", quotable(name), joined(wall_names, ", ")));
-  c.wall = static_cast<int>(found - wall_names.begin());
-}
-
 void read_counted(const CaseValue& root, SourceCase& c) {
-  const CaseValue& value = require(root, "source", "counted", "counted = the name of the part whose hits are shown");
+  const CaseValue& value = require(root, "source.counted", "counted = the name of the part whose hits are shown");
   const std::string name = read_text(value, "source.counted");
   const auto found = std::ranges::find(c.parts, name, &ScenePart::name);
   std::vector<std::string> names;
@@ -189,20 +134,20 @@ void read_counted(const CaseValue& root, SourceCase& c) {
 
 SourceCase read_source_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const CaseValue root = read_case_document(file, overrides);
-  check_keys(root, "");
+  check_keys(root, {source_case_keys, run_sections, "run", "scene.parts"});
   SourceCase c;
   c.file = file;
   read_parts(root, c);
-  if (const CaseValue* box = find(root, "scene", "box_m")) read_box(*box, c);
+  if (const CaseValue* box = find(root, "scene.box_m")) read_box(*box, c);
   read_points(root, c);
-  read_models(find(root, "source", "models"), c);
-  read_rays(require(root, "source", "rays", "rays = a number or a list, for example [2000, 10000]"), c);
-  if (const CaseValue* seed = find(root, "source", "seed")) read_seed(*seed, c);
-  if (const CaseValue* wall = find(root, "source", "wall")) read_wall(*wall, c);
-  if (const CaseValue* most = find(root, "source", "max_reflections"))
-    c.max_reflections = read_whole(*most, "source.max_reflections", 0, 1000);
+  read_models(find(root, "source.models"), c);
+  read_rays(require(root, "source.rays", "rays = a number or a list, for example [2000, 10000]"), c);
+  if (const CaseValue* seed = find(root, "source.seed")) read_seed(*seed, c);
+  if (const CaseValue* wall = find(root, "source.wall")) c.wall = static_cast<int>(read_word(*wall, "source.wall", wall_names));
+  if (const CaseValue* most = find(root, "source.max_reflections"))
+    c.max_reflections = read_whole(*most, "source.max_reflections", {0, 1000});
   read_counted(root, c);
-  if (const CaseValue* plots = find(root, "output", "plots")) c.plots = read_flag(*plots, "output.plots");
+  if (const CaseValue* plots = find(root, "output.plots")) c.plots = read_flag(*plots, "output.plots");
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : file.stem().string();
   return c;

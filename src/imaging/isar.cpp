@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "core/error.h"
+#include "imaging/peak.h"
 
 namespace raytube {
 
@@ -126,6 +127,34 @@ void focus_near(const SweepSamples& sweep, const AngleGrid& grid, const ImageSam
   });
 }
 
+// |I| of one channel at a place given along the axes.
+double far_amplitude(const ImageSamples& samples, int channel, const dvec3& at) {
+  Complex sum = 0.0;
+  for (std::size_t j = 0; j < samples.s.size(); ++j)
+    sum += samples.s[j].at(channel / 2, channel % 2) * std::polar(samples.weights[j], -glm::dot(samples.wave_vectors[j], at));
+  return std::abs(sum);
+}
+
+double near_amplitude(const SweepSamples& sweep, const AngleGrid& grid, const ImageSamples& samples, int channel,
+                      const dvec3& place) {
+  Complex sum = 0.0;
+  for (std::size_t look = 0; look < grid.looks.size(); ++look)
+    sum += projected(sweep, samples, look * sweep.frequency.count, sweep.looks[grid.looks[look]].phase_length(place))
+               .at(channel / 2, channel % 2);
+  return std::abs(sum);
+}
+
+// `amplitude`: of a channel, at a place given along the axes.
+void find_peak(IsarImage& image, double pixels, const std::function<double(int, const dvec3&)>& amplitude) {
+  dvec3 steps(0.0);
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) steps[static_cast<int>(axis)] = image.grid.step[axis];
+  const GridPeak peak =
+      highest_peak(image.s, image.grid.count, steps, pixels, [&](std::size_t sample, int channel, const dvec3& offset) {
+        return amplitude(channel, image.coordinates(sample) + offset);
+      });
+  image.peak = {image.place_of(image.coordinates(peak.sample) + peak.offset), peak.amplitude};
+}
+
 IsarImage empty_image(const std::vector<ImageAxis>& axes, const IsarOptions& options, const std::string& what) {
   IsarImage image{.axes = axes};
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
@@ -171,12 +200,16 @@ std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& 
   return axes;
 }
 
-dvec3 IsarImage::place(std::size_t index) const {
+dvec3 IsarImage::coordinates(std::size_t index) const {
   dvec3 at(0.0);
-  for (std::size_t axis = axes.size(); axis-- > 0;) {
-    at += coordinate(axis, index % grid.count[axis]) * axes[axis].direction;
-    index /= grid.count[axis];
-  }
+  for (std::size_t axis = axes.size(); axis-- > 0; index /= grid.count[axis])
+    at[static_cast<int>(axis)] = coordinate(axis, index % grid.count[axis]);
+  return at;
+}
+
+dvec3 IsarImage::place_of(const dvec3& coordinates) const {
+  dvec3 at(0.0);
+  for (std::size_t axis = axes.size(); axis-- > 0;) at += coordinates[static_cast<int>(axis)] * axes[axis].direction;
   return at;
 }
 
@@ -232,16 +265,18 @@ IsarImage isar_image(const ImageSamples& samples, const std::vector<ImageAxis>& 
                      const std::string& what) {
   IsarImage image = empty_image(axes, options, what);
   focus_far(samples, image);
+  find_peak(image, options.pixels, [&](int channel, const dvec3& at) { return far_amplitude(samples, channel, at); });
   return image;
 }
 
 IsarImage isar_image(const SweepSamples& sweep, const AngleGrid& grid, const IsarOptions& options, const std::string& what) {
-  IsarImage image = empty_image(image_axes(sweep, grid, options.window), options, what);
+  const std::vector<ImageAxis> axes = image_axes(sweep, grid, options.window);
   const ImageSamples samples = weighted_samples(sweep, grid, options.window, axis_directions(grid));
-  if (sweep.looks.front().far())
-    focus_far(samples, image);
-  else
-    focus_near(sweep, grid, samples, image);
+  if (sweep.looks.front().far()) return isar_image(samples, axes, options, what);
+  IsarImage image = empty_image(axes, options, what);
+  focus_near(sweep, grid, samples, image);
+  find_peak(image, options.pixels,
+            [&](int channel, const dvec3& at) { return near_amplitude(sweep, grid, samples, channel, image.place_of(at)); });
   return image;
 }
 

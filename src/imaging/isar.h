@@ -40,15 +40,25 @@ struct ImageAxis {
 /// theta: what is above it is displaced. Of a scan: away from it, along its lines, and from line to line.
 std::vector<ImageAxis> image_axes(const SweepSamples& samples, const AngleGrid& grid, const Window& window);
 
+/// The highest place of an image, between its samples.
+struct ImagePeak {
+  dvec3 place{0.0};        // in the coordinates of the target [m]
+  double amplitude = 0.0;  // of the channel that is largest there [m]
+};
+
 /// I over an even grid about a point. `s`: the last axis runs fastest.
 struct IsarImage {
   std::vector<ImageAxis> axes;  // two or three
   EvenGrid grid{};
   dvec3 middle{0.0};                  // of the grid, along the axes [m]
   std::vector<ScatteringMatrix> s{};  // [m]
+  ImagePeak peak{};
 
-  /// A point of the grid in the coordinates of the target [m]; of an image in a plane, on the one through the origin.
-  dvec3 place(std::size_t index) const;
+  /// A point of the grid along the axes [m].
+  dvec3 coordinates(std::size_t index) const;
+  /// In the coordinates of the target [m]; of an image in a plane, on the one through the origin.
+  dvec3 place_of(const dvec3& coordinates) const;
+  dvec3 place(std::size_t index) const { return place_of(coordinates(index)); }
   double coordinate(std::size_t axis, std::size_t i) const {
     return middle[static_cast<int>(axis)] +
            (static_cast<double>(i) - static_cast<double>(grid.count[axis] / 2)) * grid.step[axis];

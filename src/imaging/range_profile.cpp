@@ -10,6 +10,7 @@
 
 #include "core/error.h"
 #include "imaging/fourier.h"
+#include "imaging/peak.h"
 
 namespace raytube {
 
@@ -50,6 +51,26 @@ class Profile {
   std::vector<Complex> data_;
 };
 
+// |p| of one look and channel at any range.
+double amplitude_at(const SweepSamples& samples, const std::vector<double>& weights, std::size_t look, int channel,
+                    double range) {
+  Complex sum = 0.0;
+  for (std::size_t f = 0; f < weights.size(); ++f)
+    sum += samples.s[samples.row(look, f)].at(channel / 2, channel % 2) *
+           std::polar(weights[f], 2.0 * samples.wavenumber_at(f) * range);
+  return std::abs(sum);
+}
+
+RangePeak peak_of(const SweepSamples& samples, const std::vector<double>& weights, const RangeProfiles& profiles) {
+  const EvenAxis& range = profiles.range;
+  const auto amplitude = [&](std::size_t i, int channel, const dvec3& offset) {
+    return amplitude_at(samples, weights, i / range.count, channel, range.at(i % range.count) + offset.z);
+  };
+  const GridPeak peak = highest_peak(profiles.s, {1, samples.looks.size(), range.count}, {0.0, 0.0, range.step},
+                                     profiles.limits.cell / range.step, amplitude);
+  return {peak.sample / range.count, range.at(peak.sample % range.count) + peak.offset.z, peak.amplitude};
+}
+
 }  // namespace
 
 RangeLimits range_limits(const EvenAxis& frequency, const Window& window) {
@@ -83,6 +104,7 @@ RangeProfiles range_profiles(const SweepSamples& samples, const ProfileOptions& 
     result.error.push_back(mean(samples, look, samples.error, weight));
     result.model.push_back(mean(samples, look, samples.model, weight));
   }
+  result.peak = peak_of(samples, weight, result);
   return result;
 }
 

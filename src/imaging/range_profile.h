@@ -27,12 +27,20 @@ struct RangeLimits {
 
 RangeLimits range_limits(const EvenAxis& frequency, const Window& window);
 
+/// The highest place of a profile, between its samples.
+struct RangePeak {
+  std::size_t look;
+  double range;      // [m]
+  double amplitude;  // of the channel that is largest there [m]
+};
+
 /// Of many looks. Rows of `s`: looks vary slowest.
 struct RangeProfiles {
   RangeLimits limits;
   EvenAxis range{};                             // [m], half of the unambiguous range to either side of the middle
   std::vector<ScatteringMatrix> s{};            // p [m]
   std::vector<ChannelErrors> error{}, model{};  // [look] of |p| [m] if all that may be wrong with S came from one range
+  RangePeak peak{};
 };
 
 /// Throws InputError that begins with `what` for one frequency.

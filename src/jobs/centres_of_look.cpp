@@ -26,10 +26,10 @@ double usual_side(const Target& target, std::span<const double> frequencies, dou
 
 LookCentres found_centres(const Target& target, const Case& c, const CentresAsked& asked, int threads,
                           const std::function<bool(double)>& progress) {
-  const std::size_t looks = c.sweep.looks.size();
-  if (asked.look >= looks)
+  require_look(c, asked.look);
+  if (const double extent = 2.0 * target.mesh.radius; asked.resolution > extent)
     throw InputError(
-        fmt::format("look {}: there are {} direction pair(s), counted from 0; choose among these", asked.look, looks));
+        fmt::format("a resolution of {:g} m is wider than the target, {:.3g} m; ask for a finer one", asked.resolution, extent));
   const std::vector<double>& frequencies = c.sweep.frequencies;
   LookCentres result{.found = {},
                      .pieces = {},

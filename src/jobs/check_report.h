@@ -1,23 +1,20 @@
-// What a run of a case would do, without doing it.
+// What a run of a case would do, without doing it: as data, from which check_text.h makes the text.
 #pragma once
 
-#include <string>
-
 #include "case/data/case.h"
-#include "jobs/check_lines.h"
+#include "core/ordered_json.h"
 #include "mesh/model/triangle_mesh.h"
 #include "plan/plan.h"
 #include "solve/probe.h"
 
 namespace raytube {
 
-/// "0.12 s", "17 min"
-std::string seconds_text(double seconds);
+/// The case, its size, mesh, materials, wedges, curved surfaces, mechanisms, what is skipped, warnings, cost and memory. The plan
+/// is that of the case.
+Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan);
 
-/// The resolved case, mesh, wedges, curved surfaces, what is skipped, warnings, cost and memory. The plan is that of the case.
-void tell_case(CheckReport& report, const Case& c, const MeshReport& counts, const SolvePlan& plan);
-
-/// How long it will take, from looks that are timed for some seconds.
-TimePrediction tell_time(CheckReport& report, const SolvePlan& plan);
+/// How long the run will take, from looks that are timed for some seconds: a member "time".
+Json time_data(const SolvePlan& plan, const TimePrediction& time);
+TimePrediction predicted_time(const SolvePlan& plan);
 
 }  // namespace raytube

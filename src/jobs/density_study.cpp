@@ -29,10 +29,11 @@ void check_finest(double density, const std::string& asked, const Case& c, const
 
 std::vector<double> densities_from_coarse_to_fine(std::vector<double> densities, const std::string& asked) {
   if (densities.size() > most_densities)
-    throw InputError(fmt::format("{}: {} densities are more than {}; leave some out", asked, densities.size(), most_densities));
+    throw InputError(
+        fmt::format("{}: {} densities are more than the {} allowed; leave some out", asked, densities.size(), most_densities));
   std::ranges::sort(densities);
   if (densities.size() < 3 || std::ranges::adjacent_find(densities) != densities.end())
-    throw InputError(fmt::format("{}: an order needs three different densities or more, for example 4,8,16", asked));
+    throw InputError(fmt::format("{}: at least three different densities are needed; write for example 4,8,16", asked));
   return densities;
 }
 
@@ -59,6 +60,21 @@ void check_study(const Case& c, const Target& target, int threads, const std::ve
   Case study = c;
   study.image_looks.clear();
   check_memory(plan, study, nullptr, kept);
+}
+
+void study_densities(const Case& c, const Target& target, int threads, std::span<const double> densities,
+                     const std::function<bool(double)>& progress, WorkTeam* team,
+                     const std::function<void(SolvedDensity)>& solved) {
+  SolveOptions options = options_of_study(c, threads);
+  for (std::size_t i = 0; i < densities.size(); ++i) {
+    options.tubes.per_wavelength = densities[i];
+    const SolvePlan plan(target, c.sweep, options, c.ground);
+    const auto of_study = [&](double share) { return progress(finished_share(densities, i, share)); };
+    if (team && !team->leads())
+      help_to_solve(plan, *team, of_study);
+    else
+      solved({densities[i], solve(plan, of_study, {}, team)});
+  }
 }
 
 double finished_share(std::span<const double> densities, std::size_t done, double of_next) {

@@ -1,6 +1,7 @@
 // Studies over the density of uniform tubes: what they ask of a case.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,18 @@ SolveOptions options_of_study(const Case& c, int threads);
 /// amplitudes of every density are kept to the end.
 void check_study(const Case& c, const Target& target, int threads, const std::vector<double>& densities,
                  const std::string& asked);
+
+/// One density of a study, solved.
+struct SolvedDensity {
+  double per_wavelength;
+  SweepResult result;
+};
+
+/// Solves the case at one density after the other, beside others of a `team` (null: alone). `progress` gets the share of the
+/// whole study and stops it by false, `solved` each density: not on those that help.
+void study_densities(const Case& c, const Target& target, int threads, std::span<const double> densities,
+                     const std::function<bool(double)>& progress, WorkTeam* team,
+                     const std::function<void(SolvedDensity)>& solved);
 
 /// The finished share of a study's work once so many densities are `done`, and of the next one `of_next`: tubes grow with the
 /// square of the density.

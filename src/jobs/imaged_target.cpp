@@ -18,6 +18,7 @@ namespace {
 
 constexpr double room_about = 1.2;  // an image is so much wider than the target
 constexpr std::size_t most_edges = 4000;
+constexpr double printed = 1e-3;  // lengths are printed rounded by less than this share
 
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -34,14 +35,21 @@ std::pair<double, const char*> step_of(const SweepSamples& samples, const AngleG
   return {std::abs(azimuth ? grid.phi_deg.step : grid.theta_deg.step), "degrees"};
 }
 
+// To three digits, so that a step which is taken as it is printed will do.
+double rounded_down(double number) {
+  const double digit = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
+  return std::floor(number / digit * (1.0 + 1e-9)) * digit;
+}
+
+// `subject`: what is so wide.
 void require_width(const SweepSamples& samples, const AngleGrid& grid, std::size_t axis, double unambiguous, double width,
-                   const std::string& what) {
+                   const std::string& subject) {
   if (width <= unambiguous) return;
   const auto [step, unit] = step_of(samples, grid, axis);
   throw InputError(
-      fmt::format("{}: the target is {:.3g} m wide along {}, but steps of {:.6g} {} show {:.3g} m without ambiguity; compute "
-                  "steps of {:.3g} {} or less",
-                  what, width, axis_name(axis), step, unit, unambiguous, step * unambiguous / width, unit));
+      fmt::format("{} is {:.3g} m wide along {}, but steps of {:.6g} {} show {:.3g} m without ambiguity; compute steps of {:.3g} "
+                  "{} or less",
+                  subject, width, axis_name(axis), step, unit, unambiguous, rounded_down(step * unambiguous / width), unit));
 }
 
 }  // namespace
@@ -69,10 +77,11 @@ double middle_range(const SweepSamples& samples, std::span<const dvec3> outermos
     for (const dvec3& point : outermost) all.add(-0.5 * look.phase_length(point));
   const double unambiguous = range_limits(samples.frequency, {}).unambiguous;
   if (all.width() > unambiguous)
-    throw InputError(fmt::format(
-        "{}: the target lies within {:.3g} m of range, over all looks, but steps of {:.6g} MHz show {:.3g} m without "
-        "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
-        what, all.width(), std::abs(samples.frequency.step) * 1e-6, unambiguous, frequency_step_for(all.width()) * 1e-6));
+    throw InputError(
+        fmt::format("{}: the target lies within {:.3g} m of range, over all looks, but steps of {:.6g} MHz show {:.3g} m without "
+                    "ambiguity; compute frequencies in steps of {:.3g} MHz or less",
+                    what, all.width(), std::abs(samples.frequency.step) * 1e-6, unambiguous,
+                    rounded_down(frequency_step_for(all.width()) * 1e-6)));
   return all.middle();
 }
 
@@ -84,11 +93,15 @@ ImageFrame image_frame(const SweepSamples& samples, const AngleGrid& grid, const
   for (std::size_t axis = 0; axis < axes.size() && !outermost.empty(); ++axis) {
     Span span;
     for (const dvec3& point : outermost) span.add(glm::dot(point, axes[axis].direction));
-    require_width(samples, grid, axis, axes[axis].unambiguous, span.width(), what);
+    require_width(samples, grid, axis, axes[axis].unambiguous, span.width(), what + ": the target");
     frame.middle += span.middle() * axes[axis].direction;
     frame.size[axis] = std::min(room_about * span.width() + 4.0 * axes[axis].resolution, axes[axis].unambiguous);
   }
-  for (std::size_t axis = 0; axis < std::min(asked.size(), axes.size()); ++axis) frame.size[axis] = asked[axis];
+  for (std::size_t axis = 0; axis < std::min(asked.size(), axes.size()); ++axis) {
+    if (asked[axis] > (1.0 + printed) * axes[axis].unambiguous)
+      require_width(samples, grid, axis, axes[axis].unambiguous, asked[axis], what + ": the image asked for");
+    frame.size[axis] = asked[axis];
+  }
   return frame;
 }
 

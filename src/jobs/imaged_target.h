@@ -23,7 +23,7 @@ double middle_range(const SweepSamples& samples, std::span<const dvec3> outermos
 
 /// What an image shows: along its axes `asked`, else all of the target and no more than what is unambiguous, about its middle;
 /// about the origin where it is not known. Throws InputError that begins with `what` for one frequency or angle, and for a target
-/// that is wider than what is unambiguous.
+/// or an image that is wider than what is unambiguous.
 ImageFrame image_frame(const SweepSamples& samples, const AngleGrid& grid, const Window& window, std::span<const dvec3> outermost,
                        std::span<const double> asked, const std::string& what);
 

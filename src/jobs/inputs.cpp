@@ -59,6 +59,7 @@ Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<s
   manifest.program_version = RAYTUBE_VERSION;
   manifest.mesh_sha256 = std::move(mesh_sha256);
   if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
+  if (!c.radar.pattern_csv.empty()) manifest.pattern_csv_sha256 = sha256_of_file(c.file.parent_path() / c.radar.pattern_csv);
   for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
   manifest.mesh_report = mesh_counts(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
@@ -69,13 +70,13 @@ std::vector<std::string> reading_sentences(const Case& c, const MeshReport& repo
   std::vector<std::string> sentences = report.remarks;
   if (report.free_forms_read > 0)
     sentences.push_back(
-        fmt::format("{} curves and surfaces of free form left out, only polygons are read; export the mesh as polygons",
+        fmt::format("{} free-form curves and surfaces were ignored, only polygons are read; export the mesh as polygons",
                     report.free_forms_read));
   const double wavelength = speed_of_light / std::ranges::max(c.sweep.frequencies);
   if (report.coordinate_step > coarse_share * wavelength)
     sentences.push_back(
         fmt::format("coordinates are rounded to steps of {:.3g} mm, too coarse for a wavelength of {:.3g} mm; move the target "
-                    "near to its origin before the export, or export it with more digits (as text, or in double precision)",
+                    "close to the origin before exporting it, or export it with more digits (as text, or in double precision)",
                     report.coordinate_step * 1e3, wavelength * 1e3));
   return sentences;
 }

@@ -9,6 +9,7 @@
 #include "core/decimal.h"
 #include "core/text.h"
 #include "mesh/features/overlaps.h"
+#include "output/words/plural.h"
 
 namespace raytube {
 
@@ -43,7 +44,7 @@ std::vector<Share> shares_of(std::size_t materials, const TriangleMesh& mesh) {
 }
 
 std::string share_text(std::string_view material, const Share& share) {
-  return fmt::format("  {}: {} triangles, {:.6g} m^2", quotable(material), share.triangles, share.area);
+  return fmt::format("  {}: {}, {:.6g} m^2", quotable(material), count_text(share.triangles, "triangle"), share.area);
 }
 
 // The frequency of a sweep nearest to its middle.
@@ -92,7 +93,7 @@ std::string response_text(const Material& material, const Sweep& sweep, std::siz
 const char* note_on_inside(const Material& material, std::uint32_t index, const TriangleMesh& mesh) {
   if (material.kind != MaterialKind::half_space) return "";
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (mesh.closed(t) && material_of(mesh, t) == index) return "; no waves inside of the body (kind \"solid\" has them)";
+    if (mesh.closed(t) && material_of(mesh, t) == index) return "; no waves inside the body (kind \"solid\" has them)";
   return "";
 }
 
@@ -109,23 +110,23 @@ std::string name_of(const std::vector<Material>& materials, std::uint32_t materi
 
 }  // namespace
 
-std::string materials_text(const Case& c, const Target& target) {
+std::vector<std::string> material_lines(const Case& c, const Target& target) {
   const std::vector<Material>& materials = c.sweep.materials;
   const std::vector<std::string> unused = unused_materials(c);
-  if (materials.empty() && unused.empty()) return "";
+  if (materials.empty() && unused.empty()) return {};
   const std::vector<Share> shares = shares_of(materials.size(), target.mesh);
   const std::size_t frequency = middle_frequency(c.sweep.frequencies);
-  std::string text = "\nmaterials";
+  std::vector<std::string> lines{"materials"};
   if (!materials.empty())
-    text += fmt::format(", at normal incidence and {} GHz", number_text(c.sweep.frequencies[frequency] / 1e9));
-  text += '\n';
+    lines[0] += fmt::format(", at normal incidence and {} GHz", number_text(c.sweep.frequencies[frequency] / 1e9));
   for (std::size_t i = 0; i < materials.size(); ++i)
-    text += fmt::format("{}; {}{}\n", share_text(materials[i].name, shares[i]), response_text(materials[i], c.sweep, frequency),
-                        note_on_inside(materials[i], static_cast<std::uint32_t>(i), target.mesh));
-  text += share_text("perfect conductor", shares.back()) + '\n';
-  if (!unused.empty()) text += fmt::format("  defined, but named nowhere in [target]: {}\n", quotable(joined(unused, ", ")));
-  if (const OverlapNote note = overlap_note(c, target); note.pairs > 0) text += fmt::format("  {}\n", note.sentence);
-  return text;
+    lines.push_back(fmt::format("{}; {}{}", share_text(materials[i].name, shares[i]),
+                                response_text(materials[i], c.sweep, frequency),
+                                note_on_inside(materials[i], static_cast<std::uint32_t>(i), target.mesh)));
+  lines.push_back(share_text("perfect conductor", shares.back()));
+  if (!unused.empty()) lines.push_back(fmt::format("  defined, but not used in [target]: {}", quotable(joined(unused, ", "))));
+  if (const OverlapNote note = overlap_note(c, target); note.pairs > 0) lines.push_back("  " + note.sentence);
+  return lines;
 }
 
 OverlapNote overlap_note(const Case& c, const Target& target) {
@@ -143,9 +144,8 @@ OverlapNote overlap_note(const Case& c, const Target& target) {
 
 std::string duplicates_sentence(const MeshReport& report) {
   if (report.duplicates_of_other_material == 0) return "";
-  return fmt::format(
-      "{} facets are left out, as others with the same corners come before them, but are made of another material; {}",
-      report.duplicates_of_other_material, overlap_remedy);
+  return fmt::format("{} facets are ignored: earlier ones with the same corners are made of another material; {}",
+                     report.duplicates_of_other_material, overlap_remedy);
 }
 
 }  // namespace raytube

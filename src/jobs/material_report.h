@@ -9,9 +9,9 @@
 
 namespace raytube {
 
-/// A section of `check`: what each material covers, reflects and lets through, and what no facet can make use of. Empty if the
-/// case defines none.
-std::string materials_text(const Case& c, const Target& target);
+/// Lines of `check`: a heading, what each material covers, reflects and transmits, and what no facet uses. Empty if the case
+/// defines none.
+std::vector<std::string> material_lines(const Case& c, const Target& target);
 
 /// How many pairs of facets of different materials lie upon one another in one plane, with an example and the remedy.
 struct OverlapNote {

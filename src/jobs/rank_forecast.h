@@ -2,7 +2,8 @@
 #pragma once
 
 #include "case/data/case.h"
-#include "jobs/check_report.h"
+#include "core/ordered_json.h"
+#include "plan/plan.h"
 #include "solve/probe.h"
 
 namespace raytube {
@@ -15,8 +16,8 @@ struct RankMemory {
 /// To be asked before looks are timed, which takes memory, too.
 RankMemory memory_of_ranks(const SolvePlan& plan, const Case& c);
 
-/// Time and memory of so many ranks, each with the plan's threads. `time`: as predicted for one process. Looks do not come to an
-/// end together: whole ones are dealt out.
-void tell_ranks(CheckReport& report, const SolvePlan& plan, const RankMemory& memory, const TimePrediction& time, int ranks);
+/// Time and memory of `ranks` processes with the plan's threads each, as a member "ranks". `time`: as predicted for one process.
+/// Looks do not end together: whole ones are dealt out.
+Json ranks_data(const SolvePlan& plan, const RankMemory& memory, const TimePrediction& time, int ranks);
 
 }  // namespace raytube

@@ -1,9 +1,11 @@
 #include "jobs/shared_work.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "case/resolved_case.h"
 #include "core/bytes.h"
@@ -37,11 +39,23 @@ std::string shown(const std::string& value) {
 }  // namespace
 
 JournalIdentity identity_of_case(const Case& c, const Manifest& manifest) {
-  JournalIdentity identity{{"list in look.looks_csv", manifest.looks_csv_sha256}};
+  JournalIdentity identity{{"list in look.looks_csv", manifest.looks_csv_sha256},
+                           {"pattern in radar.pattern_csv", manifest.pattern_csv_sha256}};
   for (const auto& [name, sha256] : manifest.table_csv_sha256) identity.emplace_back("table " + name, sha256);
-  if (!c.radar.pattern_csv.empty())
-    identity.emplace_back("pattern in radar.pattern_csv", sha256_of_file(c.file.parent_path() / c.radar.pattern_csv));
-  for (const auto& [key, value] : numerical_keys(c)) identity.emplace_back(key, value);
+  std::ranges::copy(numerical_keys(c), std::back_inserter(identity));
+  return identity;
+}
+
+JournalIdentity identity_of_run(const Json& run) {
+  const Json& hashes = run["mesh"]["sha256"];
+  JournalIdentity identity{
+      {mesh_item, hashes.is_string() ? hashes.get<std::string>()
+                                     : fmt::format("{}", fmt::join(hashes.get<std::vector<std::string>>(), " "))},
+      {"list in look.looks_csv", text_at(run, "looks_csv_sha256")},
+      {"pattern in radar.pattern_csv", text_at(run, "pattern_csv_sha256")}};
+  if (const Json* tables = find(run, "table_csv_sha256"))
+    for (const auto& [name, sha256] : tables->items()) identity.emplace_back("table " + name, sha256.get<std::string>());
+  std::ranges::copy(numerical_keys(run["case"]), std::back_inserter(identity));
   return identity;
 }
 
@@ -56,8 +70,9 @@ void require_same_work(const JournalIdentity& of_leader, const JournalIdentity& 
   const std::vector<JournalDifference> found = differences(of_leader, own);
   if (found.empty()) return;
   const auto& [name, leader, here] = found.back();  // keys of the case stand last, and say most
-  throw InputError(fmt::format("was given {} = {} where rank 0 has {}: ranks share one case; for a case each set RAYTUBE_MPI=off",
-                               name, shown(here), shown(leader)));
+  throw InputError(fmt::format(
+      "was given {} = {} where rank 0 has {}: all ranks of a job solve one case; to solve one case on each set RAYTUBE_MPI=off",
+      name, shown(here), shown(leader)));
 }
 
 std::string text_of_work(const JournalIdentity& work) {

@@ -2,15 +2,22 @@
 #pragma once
 
 #include "case/data/case.h"
+#include "core/ordered_json.h"
 #include "output/files/journal.h"
 #include "output/files/manifest.h"
 #include "ranks/ranks.h"
 
 namespace raytube {
 
+/// The name of the meshes' item, with their hashes between blanks.
+inline constexpr const char* mesh_item = "mesh in target.mesh";
+
 /// What every bit of a look depends on beside the program and the mesh: the keys of the case, and the tables that it names, as
 /// `manifest` has them.
 JournalIdentity identity_of_case(const Case& c, const Manifest& manifest);
+
+/// The same of a finished run, by its run.json, and of the meshes.
+JournalIdentity identity_of_run(const Json& run);
 
 /// The same of a case whose looks may have come from elsewhere than its file, and of what the command was asked for beside it.
 JournalIdentity shared_work(const Case& c, const JournalIdentity& asked);

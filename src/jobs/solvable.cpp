@@ -1,8 +1,16 @@
 #include "jobs/solvable.h"
 
+#include <fmt/format.h>
+
 #include "solve/image.h"
 
 namespace raytube {
+
+void require_look(const Case& c, std::size_t look, const std::string& place) {
+  if (const std::size_t looks = c.sweep.looks.size(); look >= looks)
+    throw InputError(
+        fmt::format("{} {}: there are {} direction pair(s), counted from 0; choose among these", place, look, looks));
+}
 
 SolvePlan plan_of_case(const Target& target, const Case& c, int threads, bool keep_parts) {
   return naming_the_case(c, [&] {

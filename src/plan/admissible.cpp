@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/error.h"
 #include "mesh/soundness/solids.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
+#include "scene/keys/option_keys.h"
 
 namespace raytube {
 
@@ -74,16 +76,16 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
   if (sweep.frequencies.empty() || sweep.looks.empty()) throw InputError("the sweep has no frequency or no look");
   for (const double f : sweep.frequencies)
     if (!(f > 0.0) || !std::isfinite(f)) throw InputError("every frequency must be a positive number of hertz");
-  if (!(tubes.per_wavelength > 0.0)) throw InputError("tubes.per_wavelength must be positive");
-  if (!(tubes.max_per_wavelength > 0.0)) throw InputError("tubes.max_per_wavelength must be positive");
-  if (!(tubes.model_share >= 0.0)) throw InputError("tubes.model_share must not be negative");
-  if (edges.order < 1 || edges.order > 3) throw InputError("edges.order must be 1, 2 or 3");
-  if (!(edges.interaction_budget >= 0.0) || !std::isfinite(edges.interaction_budget))
-    throw InputError("edges.between_budget must be a finite number of at least 0");
-  if (tubes.max_bounces < 1) throw InputError("tubes.max_bounces must be at least 1");
+  const auto check = [](const CaseKey& key, const auto& member) {
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(member)>>)
+      if (const double value = member / key.factor; key.shown && !(key.limits.hold(value) && std::isfinite(value)))
+        throw InputError(fmt::format("{} must be a finite number {}", key.name, key.limits.text()));
+  };
+  visit_tube_keys(tubes, check);
+  const WedgeOptions wedges;  // checked with the target
+  visit_edge_keys(edges, wedges, true, check);
   if (!all_far(sweep)) check_near(sweep, tubes, edges);
   if (any_solid(sweep.materials)) check_with_solids(sweep, edges);
-  if (!(edges.utd_range >= 0.0)) throw InputError("edges.utd_range_m must be positive, or 0 for the default");
 }
 
 void check_materials(const FaceTree& faces, const Sweep& sweep) {

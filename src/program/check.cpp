@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "case/read_case.h"
 #include "case/target.h"
 #include "core/threads.h"
 #include "jobs/check_report.h"
+#include "jobs/check_text.h"
 #include "jobs/memory.h"
 #include "jobs/rank_forecast.h"
 #include "jobs/solvable.h"
@@ -34,13 +36,21 @@ void check_command(const Request& request) {
   LoadedMesh loaded = load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
   const SolvePlan plan = plan_of_case(target, c, request.threads > 0 ? request.threads : all_threads(), false);
-  CheckReport report([](const std::string& text) { fmt::print("{}", text); });
-  tell_case(report, c, loaded.report, plan);
+  Json data;
+  const auto add = [&](const Json& section) {
+    if (request.json)
+      data.update(section);
+    else
+      fmt::print("{}", check_text(section));  // at once: what follows takes seconds
+  };
+  add(check_data(c, loaded.report, plan));
   if (!request.wedge_list.empty()) write_wedges(request.wedge_list, plan);
   check_memory(plan, c, nullptr);  // as a run would
   const RankMemory memory = memory_of_ranks(plan, c);
-  const TimePrediction time = tell_time(report, plan);
-  if (request.planned_ranks > 0) tell_ranks(report, plan, memory, time, request.planned_ranks);
+  const TimePrediction time = predicted_time(plan);
+  add(time_data(plan, time));
+  if (request.planned_ranks > 0) add(ranks_data(plan, memory, time, request.planned_ranks));
+  if (request.json) fmt::print("{}\n", text_of_json(data, 2));
 }
 
 }  // namespace raytube

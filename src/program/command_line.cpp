@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -6,31 +7,38 @@
 #include <cmath>
 #include <limits>
 
+#include "case/text/keys.h"
 #include "core/csv_reader.h"
 #include "core/error.h"
 #include "core/text.h"
 #include "program/options.h"
+#include "program/python.h"
+#include "program/work/destination.h"
 
 namespace raytube {
 
 namespace {
 
 constexpr const char* main_footer =
-    "Help on a command: raytube run --help\n"
+    "Help on a command: raytube help run, or raytube run --help\n"
     "Example:           raytube run cases/dihedral/case.toml\n\n"
     "Exit codes:\n"
     "    0  done\n"
-    "    1  fell short: compare found more than its tolerance, or the disk, the memory or the machine gave out\n"
-    "    2  bad input: the case, a file, an option, or more asked for than there is room for; one sentence says what and what to "
-    "do\n"
+    "    1  compare found more than its tolerance\n"
+    "    2  bad input: the case, a file, an option, or more work than fits; one sentence says what is wrong and what to do\n"
+    "    3  the machine: disk, memory, or a package that is missing\n"
+    "    4  done, but some rows must not be used\n"
     "  130  interrupted";
 
 constexpr const char* run_examples =
-    "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json. Stopped in any way, it leaves its finished looks there for\n"
+    "Writes rcs.csv, channels.csv, rcs.png, rcs.svg and run.json. If interrupted, finished looks are kept; continue with "
     "--resume.\n"
-    "-o FILE.nc writes that netCDF file alone, with all of rcs.csv, parts and the resolved case in it: no table, no picture.\n\n"
+    "-o FILE.nc writes that netCDF file alone, which holds all of rcs.csv, the mechanisms and the resolved case.\n"
+    "A mesh in place of the case takes --unit, --ghz and --azimuth; the case made of them is written as case.toml beside the "
+    "results.\n\n"
     "Examples:\n"
     "  raytube run cases/dihedral/case.toml\n"
+    "  raytube run car.stl --unit m --ghz 10 --azimuth 0:360:1\n"
     "  raytube run case.toml -o results --threads 4 --parts\n"
     "  raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none\n"
     "  raytube run case.toml --resume\n"
@@ -104,17 +112,6 @@ constexpr const char* sources_examples =
     "  raytube sources cases/double_slit/case.toml\n"
     "  raytube sources case.toml --set source.rays=1000000 --set source.models=geometry";
 
-// A check of CLI11 for whole numbers.
-auto whole_number(std::uint64_t least, std::uint64_t most) {
-  return [least, most](const std::string& text) -> std::string {
-    std::uint64_t number = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc() && stop == end && number >= least && number <= most) return "";
-    return fmt::format("needs a whole number from {} to {} (found {})", least, most, text);
-  };
-}
-
 // Random tubes of a run: none of these options means anything without the first.
 void add_random_options(CLI::App& run, Request& request) {
   RandomOptions& random = request.random.emplace();
@@ -128,25 +125,39 @@ void add_random_options(CLI::App& run, Request& request) {
       ->type_name("N")
       ->needs(launch)
       ->check(whole_number(1, 1000000000));
-  run.add_option("--seed", random.seed, "Names the random numbers; default 1")
+  run.add_option("--seed", random.seed, "Seed of the random numbers; default 1")
       ->type_name("S")
       ->needs(launch)
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()));
-  run.add_option("--repeat", random.runs, "Independent random runs, from which the spread is known; default 10")
+  run.add_option("--repeat", random.runs, "Independent random runs, which give the spread; default 10")
       ->type_name("R")
       ->needs(launch)
       ->check(whole_number(2, 1000000));
 }
 
+// Of a mesh in the place of a case.
+void add_mesh_options(CLI::App& run, MeshRequest& mesh) {
+  run.add_option("--unit", mesh.unit, "Of a mesh: length of its unit (m, cm, mm, um, in, ft)")->type_name("UNIT");
+  run.add_option("--ghz", mesh.ghz, "Of a mesh: frequencies, one, a list, or START:STOP:COUNT")->type_name("F");
+  run.add_option("--azimuth", mesh.azimuth, "Of a mesh: azimuths in degrees, one, a list, or START:STOP:STEP; default 0")
+      ->type_name("DEG");
+  run.add_option("--elevation", mesh.elevation, "Of a mesh: elevations in degrees, in the same ways; default 0")
+      ->type_name("DEG");
+}
+
 CLI::App* add_run(CLI::App& app, Request& request) {
   CLI::App* run = add_command(app, "run", "Compute a case and write the results", run_examples);
-  add_case_options(*run, request);
+  run->add_option("case", request.case_file, "Case file (TOML), or a mesh with --unit and --ghz")
+      ->required()
+      ->type_name("CASE.toml|MESH");
+  add_set_option(*run, request);
+  add_mesh_options(*run, request.mesh);
   add_output_option(*run, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*run, request);
-  run->add_flag("--parts", request.parts, "Also write parts.csv, and parts.png: S split by bounce and edges");
-  run->add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
+  run->add_flag("--parts", request.parts, "Also write parts.csv and parts.png: S by mechanism");
+  run->add_flag("--resume", request.resume, "Continue an interrupted run: keep the finished looks in the folder");
   run->add_option("--shard", request.shard,
-                  "Compute part I of N of the looks alone, or go on with it, for raytube merge; slurm: the task of a job array")
+                  "Compute (or continue) part I of N of the looks, for raytube merge; slurm: the task of a job array")
       ->type_name("I/N|slurm");
   add_quiet_option(*run, request, "summary");
   add_random_options(*run, request);
@@ -160,7 +171,7 @@ CLI::App* add_merge(CLI::App& app, Request& request) {
       ->type_name("CASE.toml");
   add_output_option(*merge, request, "Folder for the results, or FILE.nc; default that of the shards");
   add_machine_options(*merge, request);
-  merge->add_flag("--parts", request.parts, "Also write parts.csv: S split by bounce and edges");
+  merge->add_flag("--parts", request.parts, "Also write parts.csv: S by mechanism");
   add_quiet_option(*merge, request, "summary");
   return merge;
 }
@@ -171,9 +182,10 @@ CLI::App* add_check(CLI::App& app, Request& request) {
   add_threads_option(*check, request);
   check
       ->add_option("--ranks", request.planned_ranks,
-                   "Also predict time and memory of a job of so many processes (mpirun -n N), each of --threads threads")
+                   "Also predict time and memory of a job of N processes (mpirun -n N) with --threads threads each")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000));
+      ->check(whole_number(1, 1000000));
+  add_json_option(*check, request);
   check->add_option("--wedges", request.wedge_list, "Also write a list of all wedges: a table, or lines for ParaView")
       ->type_name("FILE.csv|FILE.vtp");
   return check;
@@ -183,8 +195,8 @@ CLI::App* add_check(CLI::App& app, Request& request) {
 std::string not_a_name(const std::string& name) { return name.empty() ? "needs the name of a file" : ""; }
 
 void add_all_tubes_options(CLI::App& trace, Request& request) {
-  CLI::Option* all = trace.add_flag("--all", request.all_tubes, "Follow all tubes of the look and tell where they go");
-  trace.add_option("--tubes", request.most_tubes, "Follow so many of them at most, evenly spread; default 10000")
+  CLI::Option* all = trace.add_flag("--all", request.all_tubes, "Follow all tubes of the look and print where they go");
+  trace.add_option("--tubes", request.most_tubes, "Follow at most N of them, evenly spread; default 10000")
       ->type_name("N")
       ->needs(all)
       ->check(whole_number(1, 1000000));
@@ -192,7 +204,7 @@ void add_all_tubes_options(CLI::App& trace, Request& request) {
       ->type_name("FILE.vtp")
       ->needs(all)
       ->check(not_a_name);
-  trace.add_option("--hits", request.facet_hits_vtu, "Write how many of them meet each facet at which bounce, for ParaView")
+  trace.add_option("--hits", request.facet_hits_vtu, "Write how many of them hit each facet, by bounce, for ParaView")
       ->type_name("FILE.vtu")
       ->needs(all)
       ->check(not_a_name);
@@ -204,7 +216,7 @@ CLI::App* add_trace(CLI::App& app, Request& request) {
   trace->add_option("--look", request.look, "Direction pair, counted from 0")
       ->required()
       ->type_name("I")
-      ->check(CLI::Range(0, 1000000000));
+      ->check(whole_number(0, 1000000000));
   trace
       ->add_option("--u", request.u,
                    "Launch coordinate along phi-hat, from the mesh's origin [m]; not needed with --all or --surface-rays")
@@ -233,7 +245,7 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
   compare->add_option("result", request.result, "Table or image to be judged")->required()->type_name("A.csv|A.nc|A.exr");
   compare->add_option("reference", request.reference, "Table or image to judge it by")->required()->type_name("B.csv|B.nc|B.exr");
   add_output_option(*compare, request, "Folder for compare.csv and the picture; default none");
-  compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 if the rms error of a channel exceeds this")
+  compare->add_option("--tolerance-db", request.tolerance_db, "Exit with 1 (FAIL) if the rms error of a channel exceeds this")
       ->type_name("X")
       ->check(not_decibels);
   compare
@@ -249,11 +261,22 @@ CLI::App* add_compare(CLI::App& app, Request& request) {
       ->check(not_decibels);
   for (const auto& [name, columns] :
        {std::pair{"--result-columns", &request.result_columns}, std::pair{"--reference-columns", &request.reference_columns}})
-    compare->add_option(name, *columns, "Names and units of that table's columns: OURS=THEIRS[*FACTOR][+OFFSET],...")
+    compare->add_option(name, *columns, "Columns of that table: hfss, feko, matlab, azel, or OURS=THEIRS[*FACTOR][+OFFSET],...")
         ->type_name("OURS=THEIRS,...");
+  compare
+      ->add_option("--min-matched", request.min_matched,
+                   "Exit with 1 if fewer rows than this have a partner; default with a tolerance: all of the smaller table")
+      ->type_name("N")
+      ->check(whole_number(1, 1000000000));
+  compare
+      ->add_option_function<std::string>(
+          "--columns", [&request](const std::string& columns) { request.result_columns = request.reference_columns = columns; },
+          "Columns of both tables: hfss, feko, matlab, azel, or as for --result-columns")
+      ->type_name("PRESET");
+  add_json_option(*compare, request);
   compare->add_flag("--free-scale", request.free_scale,
-                    "First multiply A by the one complex factor that brings it nearest to B, and tell it");
-  compare->add_flag("--no-register", request.no_register, "Compare images where they are, without looking for a shift first");
+                    "First multiply A by the one complex factor that brings it nearest to B, and print it");
+  compare->add_flag("--no-register", request.no_register, "Compare images as they lie, without aligning them first");
   compare->add_option("--only", request.only, "Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
       ->type_name("COLUMN=LOW:HIGH")
       ->expected(1)
@@ -277,7 +300,8 @@ CLI::App* add_converge(CLI::App& app, Request& request) {
 
 // One case, or results of several runs.
 void sort_out_studied(const CLI::App& converge, Request& request) {
-  const std::vector<std::filesystem::path>& files = request.studied;
+  std::vector<std::filesystem::path>& files = request.studied;
+  for (std::filesystem::path& file : files) file = result_in(file, std::array{"rcs.nc"});
   if (files.size() == 1 && lower_case(files.front().extension().string()) != ".nc") {
     request.case_file = files.front();
     request.studied.clear();
@@ -292,9 +316,9 @@ void sort_out_studied(const CLI::App& converge, Request& request) {
 }
 
 CLI::App* add_convert(CLI::App& app, Request& request) {
-  CLI::App* convert = add_command(app, "convert", "Turn rcs.csv into a netCDF file, or back", convert_examples);
-  convert->add_option("from", request.result, "What there is")->required()->type_name("A.csv|A.nc");
-  convert->add_option("to", request.reference, "What is made of it")->required()->type_name("B.nc|B.csv");
+  CLI::App* convert = add_command(app, "convert", "Convert rcs.csv to netCDF, or back", convert_examples);
+  convert->add_option("from", request.result, "Input file")->required()->type_name("A.csv|A.nc");
+  convert->add_option("to", request.reference, "Output file")->required()->type_name("B.nc|B.csv");
   return convert;
 }
 
@@ -311,25 +335,71 @@ CLI::App* add_sources(CLI::App& app, Request& request) {
 bool wants_tube(const CLI::App& trace) {
   const bool u = trace.count("--u") > 0, v = trace.count("--v") > 0;
   if (u != v || (!u && trace.count("--all") + trace.count("--surface-rays") == 0))
-    throw InputError(fmt::format("{} is required, with {} and --look; see raytube --help", u ? "--v" : "--u", u ? "--u" : "--v"));
+    throw InputError(
+        fmt::format("{} is required, with {} and --look; see raytube trace --help", u ? "--v" : "--u", u ? "--u" : "--v"));
   return u;
 }
 
-// CLI11 would only say that a subcommand is required.
-void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2)
+// Help in two columns; of an option no more than its value's name.
+class HelpLayout : public CLI::Formatter {
+ public:
+  HelpLayout() { column_width(34); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string value = option->get_type_name().empty() ? "" : ' ' + option->get_type_name();
+    return option->get_required() && !option->get_positional() ? value + " REQUIRED" : value;
+  }
+};
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+  return names;
+}
+
+// What CLI11 says of a word that it does not know names neither the nearest option nor the command.
+std::string unknown_word(const CLI::App& command, const std::vector<std::string>& words) {
+  const auto option = std::ranges::find_if(words, [](const std::string& word) { return word.starts_with('-'); });
+  if (option == words.end()) return fmt::format("unexpected argument {}", quotable(words.front()));
+  std::vector<std::string> known;
+  for (const CLI::Option* each : command.get_options())
+    for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
+  const std::string name = option->substr(0, option->find('='));
+  const std::string_view nearest = nearest_name(name, known);
+  return fmt::format("unknown option {}{}", quotable(name), nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+}
+
+std::string nearest_command(const std::string& word, const std::vector<std::string>& commands) {
+  const std::string_view nearest = nearest_name(word, commands);
+  return nearest.empty() ? fmt::format("there are {}", fmt::join(commands, ", ")) : fmt::format("did you mean \"{}\"?", nearest);
+}
+
+// `raytube help run` is `raytube run --help`.
+std::vector<std::string> words_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return {"--help"};
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
+void parse(CLI::App& app, std::vector<std::string> words) {
+  const std::string first = words.front();
+  const std::vector<std::string> commands = command_names(app);
+  if (!first.starts_with('-') && std::ranges::find(commands, first) == commands.end())
     throw InputError(
-        "no command; write run, check, trace, converge or sources and a case file, profile or isar and a case or a result, plot, "
-        "statistics or report and a result, merge and the folder of shards, or compare or convert and two files (see raytube "
-        "--help)");
-  const std::string word = argv[1];
-  const auto commands = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
-  if (commands.empty() && word != "--help" && word != "-h" && word != "--version")
-    throw InputError(
-        fmt::format("unknown command \"{}\"; write run, check, trace, converge, sources, compare, convert, profile, isar, "
-                    "centres, merge, plot, "
-                    "statistics or report (see raytube --help)",
-                    word));
+        fmt::format("unknown command \"{}\"; {}; see raytube --help", quotable(first), nearest_command(first, commands)));
+  std::ranges::reverse(words);  // as CLI11 takes them
+  try {
+    app.parse(words);
+  } catch (const CLI::Success&) {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    const CLI::App& command = app.get_subcommands().empty() ? app : *app.get_subcommands().front();
+    if (!command.remaining().empty())
+      throw InputError(fmt::format("{}; see raytube {} --help", unknown_word(command, command.remaining()), first));
+    throw InputError(fmt::format("{}; see raytube {}--help", error.what(), first.starts_with('-') ? "" : first + ' '));
+  }
 }
 
 }  // namespace
@@ -337,50 +407,46 @@ void check_first_word(const CLI::App& app, int argc, const char* const* argv) {
 Request parse_command_line(int argc, const char* const* argv) {
   Request request;
   CLI::App app("Radar cross-section of a triangle mesh by shooting and bouncing rays", "raytube");
+  app.formatter(std::make_shared<HelpLayout>());
   app.set_version_flag("--version", "raytube " RAYTUBE_VERSION);
   app.require_subcommand(1);
   app.footer(main_footer);
-  CLI::App* run = add_run(app, request);
-  CLI::App* merge = add_merge(app, request);
-  CLI::App* check = add_check(app, request);
-  CLI::App* trace = add_trace(app, request);
-  CLI::App* compare = add_compare(app, request);
-  CLI::App* converge = add_converge(app, request);
-  CLI::App* convert = add_convert(app, request);
-  CLI::App* sources = add_sources(app, request);
-  CLI::App* profile = add_profile(app, request);
-  CLI::App* isar = add_isar(app, request);
-  CLI::App* centres = add_centres(app, request);
-  CLI::App* plot = add_plot(app, request.plot);
-  CLI::App* statistics = add_statistics(app, request.statistics);
-  CLI::App* report = add_report(app, request);
-  check_first_word(app, argc, argv);
+  const auto add = [&](const char* group, void (*action)(const Request&), CLI::App* subcommand, bool shared = false) {
+    subcommand->group(group)->final_callback([&request, action, shared] { request.action = action, request.shared = shared; });
+    return subcommand;
+  };
+  const CLI::App* run = add("Compute", run_command, add_run(app, request), true);
+  add("Compute", merge_command, add_merge(app, request));
+  const CLI::App* converge = add("Compute", converge_command, add_converge(app, request), true);
+  const CLI::App* profile = add("Compute", profile_command, add_profile(app, request), true);
+  const CLI::App* isar = add("Compute", isar_command, add_isar(app, request), true);
+  const CLI::App* centres = add("Compute", centres_command, add_centres(app, request));
+  add("Compute", sources_command, add_sources(app, request));
+  add("Inspect", check_command, add_check(app, request));
+  const CLI::App* trace = add("Inspect", trace_command, add_trace(app, request));
+  add("Compare and convert", compare_command, add_compare(app, request));
+  add("Compare and convert", convert_command, add_convert(app, request));
+  for (const auto& [name, description] : python_commands)
+    add("Show (by the Python package)", nullptr, app.add_subcommand(name, description));
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw InputError(std::string(error.what()) + "; see raytube --help");
-    app.exit(error);
+    request.words = words_of(argc, argv);
+    parse(app, request.words);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
     return request;
   }
-  const std::pair<const CLI::App*, Command> commands[] = {
-      {run, Command::run},           {check, Command::check},     {trace, Command::trace},     {compare, Command::compare},
-      {converge, Command::converge}, {convert, Command::convert}, {sources, Command::sources}, {profile, Command::profile},
-      {isar, Command::isar},         {centres, Command::centres}, {plot, Command::plot},       {statistics, Command::statistics},
-      {report, Command::report},     {merge, Command::merge}};
   if (run->count("--launch") == 0) request.random.reset();
   if (request.random && request.parts)
-    throw InputError("--parts: the mean of random tubes is not kept apart by bounce; leave out --parts or --launch random");
+    throw InputError("--parts: the mean of random tubes is not kept apart by mechanism; leave out --parts or --launch random");
   if (request.shard && request.parts)
-    throw InputError("--parts: shards hold all parts as they are; leave it out, and give it to raytube merge");
+    throw InputError("--parts: shards always keep the mechanisms; leave it out, and give it to raytube merge");
   if (request.random && request.resume)
-    throw InputError("--resume: random tubes are drawn anew as a whole; leave out --resume or --launch random");
+    throw InputError("--resume: random tubes are always drawn anew as a whole; leave out --resume or --launch random");
   if (*converge) sort_out_studied(*converge, request);
   if (*centres) request.product.direct = true;
   if (*trace) request.tube = wants_tube(*trace);
   for (const CLI::App* product : {profile, isar})
     if (*product) check_product_options(*product, request);
-  for (const auto& [given, command] : commands)
-    if (*given) request.command = command;
   return request;
 }
 

@@ -2,12 +2,11 @@
 //
 //     command_line  arguments -> Request;  main: Request -> command, exceptions -> sentence and exit code
 //     run/          raytube run and merge: a case into its folder, or shards of it
-//     check, trace, compare, converge, convert, sources, profile, isar, centres, plot, statistics: the commands, each in a
-//                   file of its name
-//     report/       raytube report: a page of a result
-//     products      what profile, isar and centres take (a result, or a case that is solved first), and what they leave
+//     check, trace, compare, converge, convert, sources, profile, isar, centres: the commands, each in a file of its name
+//     python        hands plot, statistics, report and the comparison of images to the Python package, and draws with it
+//     products      what profile, isar and centres take (a result, a case that is run first, or the pieces
+//                   of a look), and what they leave
 //     solve_warnings   what is said before and after a solve
-//     result_commands  command line of plot and statistics
 //     work          where files go (destination), how a command brings them into place (results), survives being stopped
 //                   (interrupt, look_journal) and tells how far it is (progress_bar)
 //
@@ -17,34 +16,16 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "imaging/window.h"
-#include "program/result_commands.h"
 #include "scene/random_result.h"
 
 namespace raytube {
 
 class Ranks;
-
-enum class Command {
-  none,
-  run,
-  check,
-  trace,
-  compare,
-  converge,
-  convert,
-  sources,
-  profile,
-  isar,
-  centres,
-  plot,
-  statistics,
-  report,
-  merge
-};
 
 /// What profile and isar make of a sweep.
 struct ProductRequest {
@@ -55,19 +36,21 @@ struct ProductRequest {
   std::size_t centres = 50;                   // centres: so many at most
   double resolution = 0.0;                    // centres: of the places [m]; 0: what suits the target
   std::vector<std::string> mechanisms;        // direct: these alone; empty: all
+  std::vector<std::string> size_words;        // isar: what follows --size; perhaps the input at the end
   std::vector<double> size;                   // isar: of the image along its axes [m]; empty: the target's
   std::optional<std::array<double, 2>> plan;  // isar: size and resolution of a target to be planned for [m]; nothing is computed
   double plan_ghz = 10.0;                     // isar: middle of the planned band
 };
 
-/// The page that report makes of a result.
-struct ReportRequest {
-  std::filesystem::path file;      // empty: report.html beside the result
-  std::vector<std::size_t> looks;  // shown in space; empty: report chooses
+/// What run makes a case of where it is given a mesh. Numbers as "10", "9,10,11" or "0:360:1".
+struct MeshRequest {
+  std::string unit, ghz, azimuth = "0", elevation = "0";
 };
 
 struct Request {
-  Command command = Command::none;  // none: help or version was printed
+  void (*action)(const Request&) = nullptr;  // the command; null: help or version was printed
+  bool shared = false;                       // by the processes of a job
+  std::vector<std::string> words;            // of the command line
   std::filesystem::path case_file;
   std::vector<std::filesystem::path> studied;  // converge: netCDF files in place of a case
   std::vector<std::string> overrides;
@@ -76,6 +59,7 @@ struct Request {
   std::string instruction_set;          // empty: the widest one
   int planned_ranks = 0;                // check: of a job by MPI; 0: none
   std::filesystem::path wedge_list;     // check: list of wedges; empty: none wanted
+  MeshRequest mesh;                     // run, where case_file is a mesh
   bool parts = false;
   std::optional<RandomOptions> random;  // run: --launch random
   bool resume = false;                  // run: go on with what a stopped one has left
@@ -98,21 +82,26 @@ struct Request {
   bool no_register = false;                       // compare: images where they are
   std::vector<std::string> only;                  // compare: COLUMN=LOW:HIGH
   double within_db = 20.0;                        // compare: rows that count
-  std::optional<double> tolerance_db;             // compare: fall short above it
+  std::optional<double> tolerance_db;             // compare: fails above it
+  std::optional<std::size_t> min_matched;         // compare: fails below it; none: all rows of the smaller table
+  bool json = false;                              // check, compare, centres: one JSON document instead of the text
   std::optional<double> tolerance_relative;       // same
   ProductRequest product;                         // profile, isar; their input is `result`
-  PlotRequest plot;
-  StatisticsRequest statistics;
-  ReportRequest report;  // of `result`, which may be a folder
 };
 
 /// Throws InputError for a command line that cannot be understood.
 Request parse_command_line(int argc, const char* const* argv);
 
+/// Where run is given a mesh: writes the case that its options make as case.toml into the folder of the results (for -o FILE.nc
+/// as FILE.toml beside it), over one that raytube wrote earlier, and names that case in the request. Throws InputError for
+/// options that are missing, or that a case has keys for.
+void make_case_of_mesh(Request& request);
+
 // Each throws InputError for bad input.
 void run_command(const Request& request);
 void check_command(const Request& request);
 void trace_command(const Request& request);
+bool compares_images(const Request& request);  // which the Python package does
 void compare_command(const Request& request);
 void converge_command(const Request& request);
 void converge_results(const Request& request);  // converge_command for results that are there
@@ -121,7 +110,6 @@ void sources_command(const Request& request);
 void profile_command(const Request& request);
 void isar_command(const Request& request);
 void centres_command(const Request& request);
-void report_command(const Request& request);
 void merge_command(const Request& request);
 
 /// Of a process that does not lead its job: computes for the one that does, and does the same command.

@@ -16,16 +16,15 @@
 #include "output/compare/convergence_report.h"
 #include "output/compare/density_results.h"
 #include "output/netcdf/netcdf_file.h"
-#include "output/plots/convergence_plot.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
 #include "program/helping.h"
+#include "program/python.h"
 #include "program/solve_warnings.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"
 #include "ranks/ranks.h"
-#include "solve/solve.h"
 
 namespace raytube {
 
@@ -58,31 +57,23 @@ ResultNames names_of_convergence_results(bool with_plot) {
 // Solves one density after the other and keeps what is finished on disk.
 class DensityStudy {
  public:
-  DensityStudy(const Case& c, const Target& target, const Request& request, const fs::path& destination,
-               const std::vector<double>& densities)
+  DensityStudy(const Case& c, const Request& request, const fs::path& destination, const std::vector<double>& densities)
       : case_(c),
-        target_(target),
         destination_(destination),
         folder_(destination),
         densities_(densities),
         bar_(request.quiet, fmt::format("solving {} looks at {} densities", c.sweep.looks.size(), densities.size())),
-        study_{c.title, c.sweep, {}, {}} {
-    options_ = options_of_study(c, request.threads);
-    options_.team = team_of(request);
-  }
+        study_{c.title, c.sweep, {}, {}} {}
 
-  void add(double density) {
-    options_.tubes.per_wavelength = density;
-    options_.progress = [&](double share) {
-      bar_.show(finished_share(densities_, study_.results.size(), share));
+  void run(const Target& target, const Request& request) {
+    const auto progress = [&](double share) {
+      bar_.show(share);
       return !InterruptFlag::raised();
     };
-    SweepResult result = solve(SolvePlan(target_, case_.sweep, options_, case_.ground), options_.progress, {}, options_.team);
-    if (warn_of_unusable_rows(result.statistics)) unusable_ = true;
-    const Statistics& s = result.statistics;
-    study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
-    study_.convergence = study_convergence(study_.results);
-    bar_.note(note());
+    study_densities(case_, target, request.threads, densities_, progress, team_of(request), [&](SolvedDensity solved) {
+      add(std::move(solved));
+      write(false);
+    });
   }
 
   /// On disk.
@@ -107,10 +98,10 @@ class DensityStudy {
 
   /// Puts the study so far in the place of what an earlier one left.
   void write(bool with_plot) {
-    make_again_if_gone(folder_);
+    folder_.require_there();
     NewResults results(folder());
     write_converge_csv(results.folder() / "converge.csv", study_);
-    const std::string trouble = with_plot ? plot_convergence(results.folder(), study_) : "";
+    const std::string trouble = with_plot ? draw_with_python(results.folder(), {"converge.csv"}, case_.file) : "";
     if (with_plot) stop_if_interrupted();
     if (!trouble.empty()) warn(trouble);
     replace_results(results, folder(), names_of_convergence_results(with_plot), names_of_convergence_results(true).pictures, [&] {
@@ -120,6 +111,15 @@ class DensityStudy {
   }
 
  private:
+  void add(SolvedDensity solved) {
+    auto& [density, result] = solved;
+    if (warn_of_unusable_rows(result.statistics)) unusable_ = true;
+    const Statistics& s = result.statistics;
+    study_.results.push_back({density, s.tubes, s.rays, s.solve_s, std::move(result.total)});
+    study_.convergence = study_convergence(study_.results);
+    bar_.note(note());
+  }
+
   std::string note() const {
     const DensityResult& result = study_.results.back();
     const std::string text =
@@ -130,7 +130,6 @@ class DensityStudy {
   }
 
   const Case& case_;
-  const Target& target_;
   fs::path destination_;  // as it was asked for
   OutputFolder folder_;
   const std::vector<double>& densities_;
@@ -138,18 +137,14 @@ class DensityStudy {
   std::atomic<bool> complete_ = false;
   bool unusable_ = false;
   ProgressBar bar_;
-  SolveOptions options_;
   ConvergenceStudy study_;
 };
 
 }  // namespace
 
 void help_to_converge(const Request& request, const Case& c, const Target& target) {
-  SolveOptions options = options_of_study(c, request.threads);
-  for (const double density : parsed_densities(request.densities)) {
-    options.tubes.per_wavelength = density;
-    help_to_solve(SolvePlan(target, c.sweep, options, c.ground), request.ranks->team());
-  }
+  study_densities(c, target, request.threads, parsed_densities(request.densities), [](double) { return true; }, team_of(request),
+                  {});
 }
 
 void converge_command(const Request& request) {
@@ -165,16 +160,12 @@ void converge_command(const Request& request) {
   run_on_threads(request.threads, [&] { built.emplace(std::move(loaded.mesh), c.wedges); });
   const Target& target = *built;
   if (!c.image_looks.empty())
-    warn(fmt::format("{}: output.image_look has no effect here: a study of density makes no images; use raytube run for them",
-                     c.file.string()));
+    warn(fmt::format("{}: output.image_look has no effect here; use raytube run for images", c.file.string()));
   check_study(c, target, request.threads, densities, option_text(request.densities));
-  DensityStudy study(c, target, request, destination, densities);
+  DensityStudy study(c, request, destination, densities);
   const InterruptFlag interrupt_flag([&study] { return study.last_words(); });
   try {
-    for (const double density : densities) {
-      study.add(density);
-      study.write(false);
-    }
+    study.run(target, request);
     if (request.ranks) request.ranks->end();
     if (c.plots) study.write(true);
     if (!request.quiet) fmt::print("{}results         {}\n", study.text(), study.folder().string());
@@ -193,7 +184,7 @@ void write_study(const ConvergenceStudy& study, const std::filesystem::path& des
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
   write_converge_csv(results.folder() / "converge.csv", study);
-  const std::string trouble = plot_convergence(results.folder(), study);
+  const std::string trouble = draw_with_python(results.folder(), {"converge.csv"}, {});
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
   replace_results(results, folder.path(), names_of_convergence_results(true), {}, [&ending] { ending.complete(); });

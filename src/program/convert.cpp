@@ -9,6 +9,7 @@
 #include "output/tables/csv.h"
 #include "output/tables/stored.h"
 #include "program/commands.h"
+#include "program/work/destination.h"
 #include "program/work/interrupt.h"
 #include "program/work/results.h"
 
@@ -49,7 +50,9 @@ StoredResult read_stored(const fs::path& file) {
 }  // namespace
 
 void convert_command(const Request& request) {
-  const fs::path &from = request.result, &to = request.reference;
+  const fs::path& to = request.reference;
+  const char* other_kind = is_netcdf_name(to) ? "rcs.csv" : "rcs.nc";
+  const fs::path from = result_in(request.result, std::span(&other_kind, 1));
   check_suffixes(from, to);
   const fs::path parent = fs::absolute(to).parent_path();
   check_place(to, parent);

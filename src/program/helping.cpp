@@ -18,20 +18,20 @@ namespace raytube {
 namespace {
 
 std::filesystem::path case_of(const Request& request) {
-  const bool is_product = request.command == Command::profile || request.command == Command::isar;
+  const bool is_product = request.action == profile_command || request.action == isar_command;
   return is_product ? request.result : request.case_file;
 }
 
 // What all ranks have to agree on, but for the mesh.
 JournalIdentity work_of(const Request& request, const Case& c) {
-  JournalIdentity asked{{"command", fmt::format("{}", static_cast<int>(request.command))}, {"--densities", request.densities}};
+  JournalIdentity asked{{"command", request.words.front()}, {"--densities", request.densities}};
   if (const auto& random = request.random)
     asked.emplace_back("--launch random", fmt::format("{} {} {}", random->samples, random->seed, random->runs));
   return shared_work(c, asked);
 }
 
 void help_with(const Request& request, const Case& c, const Target& target) {
-  if (request.command == Command::converge) return help_to_converge(request, c, target);
+  if (request.action == converge_command) return help_to_converge(request, c, target);
   const SolvePlan plan = plan_of_case(target, c, request.threads, request.parts || request.random);
   if (request.random) return help_with_random_tubes(plan, *request.random, request.ranks->team());
   help_to_solve(plan, request.ranks->team());

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
-#include "output/plots/image_plot.h"
 #include "output/tables/image_csv.h"
 #include "output/vtk/image_pvd.h"
 #include "output/vtk/image_vtu.h"
@@ -40,14 +37,6 @@ void write_series(const fs::path& folder, const Case& c) {
   write_image_pvd(folder / series_name, files);
 }
 
-double draw(const fs::path& folder, const std::string& name, const Case& c, LookImage image) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::string trouble = draw_image(folder, name, c.title, c.sweep, std::move(image));
-  stop_if_interrupted();
-  if (!trouble.empty()) warn(trouble);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 }  // namespace
 
 ResultNames image_names(const Case& c) {
@@ -61,16 +50,26 @@ ResultNames image_names(const Case& c) {
   return names;
 }
 
-double write_images(const fs::path& folder, const SolvePlan& plan, const Case& c) {
-  double drawing_s = 0.0;
+std::vector<std::string> image_tables(const Case& c) {
+  std::vector<std::string> tables;
+  for (const std::size_t look : c.image_looks) tables.push_back(name_of_image(c, look) + ".csv");
+  return tables;
+}
+
+std::vector<std::string> names_of_images(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (std::string name = entry.path().filename().string(); name.starts_with("image")) names.push_back(std::move(name));
+  return names;
+}
+
+void write_images(const fs::path& folder, const SolvePlan& plan, const Case& c) {
   for (const std::size_t look : c.image_looks) {
     const std::string name = name_of_image(c, look);
-    LookImage image = image_of_look(plan, look, c.image_per_wavelength, [](double) { return !InterruptFlag::raised(); });
+    const LookImage image = image_of_look(plan, look, c.image_per_wavelength, [](double) { return !InterruptFlag::raised(); });
     write_tables(folder, name, plan.target, c, image);
-    if (c.plots) drawing_s += draw(folder, name, c, std::move(image));
   }
   if (is_series(c)) write_series(folder, c);
-  return drawing_s;
 }
 
 }  // namespace raytube

@@ -11,7 +11,6 @@
 #include "imaging/range_profile.h"
 #include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
-#include "output/imaging/isar_plot.h"
 #include "output/products/isar_csv.h"
 #include "output/products/isar_netcdf.h"
 #include "output/products/sweep_samples.h"
@@ -22,8 +21,6 @@
 namespace raytube {
 
 namespace {
-
-const ProductNames isar_names = {{{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti"}}, "isar.nc"};
 
 IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
@@ -45,10 +42,9 @@ std::string image_text(const IsarImage& image, const Window& window) {
         axis_name(axis), a.direction.x + 0.0, a.direction.y + 0.0, a.direction.z + 0.0, a.resolution, name_of(window),
         a.unambiguous, image.grid.count[axis], image.grid.step[axis]);
   }
-  const auto peak = std::ranges::max_element(image.s, {}, largest_amplitude);
-  const dvec3 at = image.place(static_cast<std::size_t>(peak - image.s.begin()));
-  return text + fmt::format("peak               {:.2f} dBsm at ({:.4g}, {:.4g}, {:.4g}) m\n",
-                            sigma_dbsm(largest_amplitude(*peak)), at.x + 0.0, at.y + 0.0, at.z + 0.0);
+  const auto& [at, amplitude] = image.peak;
+  return text + fmt::format("peak               {:.2f} dBsm at ({:.4g}, {:.4g}, {:.4g}) m\n", sigma_dbsm(amplitude), at.x + 0.0,
+                            at.y + 0.0, at.z + 0.0);
 }
 
 // What a case needs for an image of a target of this size with cells of this resolution, as its sections.
@@ -87,50 +83,46 @@ void plan_image(const ProductRequest& asked) {
   fmt::print("{}", planned_case(size, resolution, asked.plan_ghz));
 }
 
-void draw_isar(const std::filesystem::path& folder, const ProductSource& source, const IsarImage& image) {
-  const std::vector<std::array<dvec3, 2>> lines = source.lines();
-  std::string trouble = plot_isar(folder, source.title, image, lines);
-  if (trouble.empty() && image.axes.size() == 2) trouble = plot_pauli(folder, source.title, image, lines);
-  if (!trouble.empty()) warn(trouble);
-}
-
 }  // namespace
 
 void isar_command(const Request& request) {
   const ProductRequest& asked = request.product;
   if (asked.plan) return plan_image(asked);
+  Product product{.names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti", "isar.nc"}}, .netcdf = "isar.nc"};
+  ProductSource& source = product.source;
   AngleGrid grid;
   IsarOptions options{asked.window, {}, asked.pixels};
-  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
-    check_products(request, unsolved, isar_names);
-    const SweepSamples samples = samples_of(unsolved.result, unsolved.name);
-    require_several(samples, unsolved.name);
-    grid = grid_of_looks(unsolved.result, unsolved.name);
+  IsarImage image;
+  product.check = [&] {
+    const SweepSamples samples = samples_of(source.result, source.name);
+    require_several(samples, source.name);
+    grid = grid_of_looks(source.result, source.name);
     if (grid.scan && asked.direct)
-      throw InputError(unsolved.name + ": --direct takes angles in even steps, not places of a scan; leave it out");
+      throw InputError(source.name + ": --direct takes angles in even steps, not places of a scan; leave it out");
     const std::vector<ImageAxis> axes = image_axes(samples, grid, asked.window);
     if (asked.size.size() > axes.size())
       throw InputError("--size: an image over one angle is in a plane and has no height; leave out the third length");
-    options.frame = image_frame(samples, grid, asked.window, unsolved.outermost(), asked.size, unsolved.name);
-    require_cells(axes, options, unsolved.name);
-  });
-  const SweepSamples samples = samples_of(source.result, source.name);
-  IsarImage image;
-  run_on_threads(request.threads, [&] {
-    image =
-        asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
-  });
-  if (!request.quiet) fmt::print("{}", image_text(image, asked.window));
-  const auto write_files = [&](const std::filesystem::path& folder) {
+    options.frame = image_frame(samples, grid, asked.window, source.outermost(), asked.size, source.name);
+    require_cells(axes, options, source.name);
+  };
+  product.make = [&] {
+    const SweepSamples samples = samples_of(source.result, source.name);
+    run_on_threads(request.threads, [&] {
+      image =
+          asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
+    });
+    return image_text(image, asked.window);
+  };
+  product.write_files = [&](const std::filesystem::path& folder) {
     write_isar_csv(folder / "isar.csv", image, asked.window);
     stop_if_interrupted();
     write_isar_vti(folder / "isar.vti", image);
-    stop_if_interrupted();
-    draw_isar(folder, source, image);
   };
-  write_products(request, source, isar_names, {write_files, [&](const std::filesystem::path& file) {
-                                                 write_isar_netcdf(file, source.result, image, asked.window);
-                                               }});
+  product.write_netcdf = [&](const std::filesystem::path& file) {
+    write_isar_netcdf(file, source.result, image, asked.window, source.lines());
+  };
+  product.drawn = "isar.csv";
+  make_product(request, product);
 }
 
 }  // namespace raytube

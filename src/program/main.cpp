@@ -19,6 +19,8 @@
 #include "core/error.h"
 #include "core/instruction_set.h"
 #include "program/commands.h"
+#include "program/python.h"
+#include "program/work/exit_codes.h"
 #include "program/work/interrupt.h"
 #include "ranks/ranks.h"
 
@@ -30,20 +32,12 @@ using namespace raytube;
 constexpr const char* too_little =
     "out of memory; earlier results are as they were. End other programs or raise the limit (ulimit -v, ulimit -u, the "
     "container's), take fewer --threads, or split the sweep";
-constexpr int fell_short = 1, bad_input = 2;
 
 // Beside the program where it was built, and where it is installed.
 std::vector<std::filesystem::path> plugin_folders() {
   std::error_code ignored;
   const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
   return {folder, folder / RAYTUBE_PLUGINS};
-}
-
-// Those whose work can be shared.
-void require_shareable(Command command) {
-  for (const Command shared : {Command::run, Command::converge, Command::profile, Command::isar, Command::none})
-    if (command == shared) return;
-  throw InputError("this command does not share its work among processes; start one alone, without mpirun");
 }
 
 // Those of a job that do not lead it do not talk, and end with it: who interrupts the job interrupts rank 0, which has looks to
@@ -54,42 +48,14 @@ void be_quiet() {
   std::signal(SIGTERM, SIG_IGN);
 }
 
-void execute(const Request& request) {
+int execute(const Request& request) {
+  if (!request.action) return 0;  // help or version was printed
   if (!request.instruction_set.empty()) limit_instruction_set(request.instruction_set);
-  if (request.ranks) require_shareable(request.command);
-  if (request.ranks && !request.ranks->leads() && request.command != Command::none) return help_command(request);
-  switch (request.command) {
-    case Command::run:
-      return run_command(request);
-    case Command::check:
-      return check_command(request);
-    case Command::trace:
-      return trace_command(request);
-    case Command::compare:
-      return compare_command(request);
-    case Command::converge:
-      return converge_command(request);
-    case Command::convert:
-      return convert_command(request);
-    case Command::sources:
-      return sources_command(request);
-    case Command::profile:
-      return profile_command(request);
-    case Command::isar:
-      return isar_command(request);
-    case Command::centres:
-      return centres_command(request);
-    case Command::plot:
-      return plot_command(request.plot);
-    case Command::statistics:
-      return statistics_command(request.statistics);
-    case Command::report:
-      return report_command(request);
-    case Command::merge:
-      return merge_command(request);
-    case Command::none:
-      return;
-  }
+  if (request.ranks && !request.shared)
+    throw InputError("this command does not share its work among processes; start it without mpirun");
+  if (request.ranks && !request.ranks->leads()) return help_command(request), 0;
+  if (request.action == compare_command && compares_images(request)) return run_python(request.words);
+  return request.action(request), 0;
 }
 
 // One line that can be read, whatever a file name or a library's message holds: of a long one the beginning and the end.
@@ -137,25 +103,32 @@ int main(int argc, char** argv) {
     job = launched_ranks(plugin_folders());
     ranks = job.get();
     if (ranks && !ranks->leads()) be_quiet();
+    if (const auto words = words_for_python(argc, argv); !words.empty() && !ranks) return run_python(words);
     Request request = parse_command_line(argc, argv);
     request.ranks = ranks;
     if (ranks && request.threads == 0) request.threads = ranks->threads();
-    execute(request);
+    if (request.action == run_command) make_case_of_mesh(request);
+    const int code = execute(request);
     if (ranks) ranks->end();
     require_printed();
-    return 0;
+    return code;
   } catch (const InputError& error) {
-    return complain(ranks, error.what(), bad_input);
+    return complain(ranks, error.what(), exit_code::bad_input);
+  } catch (const AboveTolerance& found) {
+    return complain(ranks, found.what(), exit_code::above_tolerance);
+  } catch (const UnusableRows& found) {
+    return complain(ranks, found.what(), exit_code::unusable_rows);
   } catch (const RankFailed& failure) {
     return complain(ranks, failure.what(), failure.code());
   } catch (const Interrupted& interruption) {
     return complain(ranks, interruption.what(), code_of_an_interrupt);
   } catch (const std::bad_alloc&) {
-    return complain(ranks, too_little, fell_short);
+    return complain(ranks, too_little, exit_code::machine_failed);
   } catch (const std::system_error& error) {
-    return complain(ranks, error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(), fell_short);
+    return complain(ranks, error.code() == std::errc::resource_unavailable_try_again ? too_little : error.what(),
+                    exit_code::machine_failed);
   } catch (const std::exception& error) {
-    if (for_want_of_a_thread(error)) return complain(ranks, too_little, fell_short);
-    return complain(ranks, std::ferror(stdout) ? not_printed : error.what(), fell_short);
+    if (for_want_of_a_thread(error)) return complain(ranks, too_little, exit_code::machine_failed);
+    return complain(ranks, std::ferror(stdout) ? not_printed : error.what(), exit_code::machine_failed);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "core/csv_reader.h"
 #include "core/error.h"
+#include "program/products.h"
 #include "scene/scattering_piece.h"
 
 namespace raytube {
@@ -30,21 +31,26 @@ void add_output_option(CLI::App& command, Request& request, const char* descript
 }
 
 void add_threads_option(CLI::App& command, Request& request) {
-  command.add_option("--threads", request.threads, "Number of threads; default all cores")
+  command.add_option("-j,--threads", request.threads, "Number of threads; default all cores")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->check(whole_number(1, 4096));
 }
 
 void add_machine_options(CLI::App& command, Request& request) {
   add_threads_option(command, request);
   command
       .add_option("--instruction-set", request.instruction_set,
-                  "Use none wider than this one: sse2, sse4.2, avx, avx2, avx512; default the processor's. Results are the same")
+                  "Widest instruction set to use (sse2, sse4.2, avx, avx2, avx512); does not change results")
       ->type_name("NAME");
 }
 
 void add_quiet_option(CLI::App& command, Request& request, const char* summary) {
-  command.add_flag("--quiet", request.quiet, fmt::format("No progress, no {}; warnings are told all the same", summary));
+  command.add_flag("-q,--quiet", request.quiet,
+                   fmt::format("Print neither progress nor {}; warnings are still printed", summary));
+}
+
+void add_json_option(CLI::App& command, Request& request) {
+  command.add_flag("--json", request.json, "Print one JSON document for scripts instead of the text");
 }
 
 CLI::App* add_command(CLI::App& app, const char* name, const char* description, const char* examples) {
@@ -56,8 +62,9 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description, 
 namespace {
 
 constexpr const char* profile_examples =
-    "Writes profile.csv, profile.png and .svg, of several looks also waterfall.png and .svg; of a case that it solves first "
-    "rcs.nc, too.\n\n"
+    "Writes profile.csv, profile.png and .svg, of several looks also waterfall.png and .svg. A case is run first: all that "
+    "raytube\n"
+    "run writes is in the folder, too; stopped in any way, it leaves its finished looks there for --resume.\n\n"
     "Examples:\n"
     "  raytube profile out/rcs.csv\n"
     "  raytube profile case.toml -o profile --window hann\n"
@@ -75,11 +82,14 @@ constexpr const char* isar_examples =
     "Frequencies by one angle give an image in a plane, by azimuth and elevation one in space. Writes isar.csv, isar.png, "
     "isar_pauli.png and "
     "isar.vti (for\n"
-    "ParaView); of a case that it solves first rcs.nc, too. --plan prints the frequencies and looks that a target asks for.\n\n"
+    "ParaView). A case is run first: all that raytube run writes is in the folder, too; stopped in any way, it leaves its "
+    "finished "
+    "looks\n"
+    "there for --resume. --plan prints the frequencies and looks that a target asks for.\n\n"
     "Examples:\n"
     "  raytube isar --plan 6 0.1 --ghz 10\n"
     "  raytube isar case.toml -o image\n"
-    "  raytube isar out/rcs.csv -o image --window hann --size 8 8";
+    "  raytube isar out/rcs.csv -o image --window hann --size 8x8";
 
 // As checks of CLI11: empty, or what is wrong.
 std::string not_a_window(const std::string& name) {
@@ -100,14 +110,6 @@ auto number_between(double least, double most) {
   };
 }
 
-constexpr const char* report_examples =
-    "One page of HTML with everything inside: curves, map, profiles, images, the target in space, settings and warnings. Writes\n"
-    "report.html into the folder.\n\n"
-    "Examples:\n"
-    "  raytube report out\n"
-    "  raytube report out -o truck.html --looks 0,90\n"
-    "  raytube report result.nc -o result.html";
-
 constexpr double least_length = 1e-6, most_length = 1e6;  // [m]
 
 void add_product_options(CLI::App& command, Request& request) {
@@ -123,15 +125,16 @@ void add_product_options(CLI::App& command, Request& request) {
       ->check(number_between(least_sidelobe_db, most_sidelobe_db));
   CLI::Option* direct = command.add_flag(
       "--direct", request.product.direct,
-      "Of a case: from where every current is, at one frequency, of an image in one look; the sweep is not computed");
+      "Of a case: from where every current is, in the middle look at the middle frequency; the sweep is not computed");
   command
       .add_option("--mechanisms", request.product.mechanisms,
-                  "With --direct, these alone: bounce_1, bounce_2, bounce_3_on, edges, interaction, surface_waves")
+                  fmt::format("With --direct, these alone: {}", fmt::join(scattering_mechanisms, ", ")))
       ->type_name("NAME,...")
       ->delimiter(',')
       ->needs(direct)
       ->check(not_a_mechanism);
   add_set_option(command, request);
+  command.add_flag("--resume", request.resume, "Go on with the looks that a run stopped before has left in the folder");
   add_output_option(command, request, "Folder for the results, or FILE.nc; default <case folder>/out, or that of the result");
   add_machine_options(command, request);
   add_quiet_option(command, request, "summary");
@@ -142,24 +145,24 @@ void add_product_options(CLI::App& command, Request& request) {
 CLI::App* add_profile(CLI::App& app, Request& request) {
   CLI::App* profile =
       add_command(app, "profile", "Range profiles of a sweep over frequency, and their waterfall", profile_examples);
-  profile->add_option("input", request.result, "Result of a run, or a case to be solved first")
+  profile->add_option("input", request.result, "Result of a run, its folder, or a case to be run first")
       ->required()
-      ->type_name("RESULT.csv|.nc|CASE.toml");
+      ->type_name("RESULT.csv|.nc|DIR|CASE.toml");
   profile->add_option("--padding", request.product.padding, "Ranges to a resolution cell; default 4")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->check(whole_number(1, 64));
   add_product_options(*profile, request);
   return profile;
 }
 
 CLI::App* add_isar(CLI::App& app, Request& request) {
   CLI::App* isar = add_command(app, "isar", "Image of a sweep over frequency and angle (ISAR)", isar_examples);
-  isar->add_option("input", request.result, "Result of a run, or a case to be solved first")
-      ->type_name("RESULT.csv|.nc|CASE.toml");
-  isar->add_option("--size", request.product.size, "Of the image along range, cross-range and height [m]; default the target's")
-      ->type_name("M")
-      ->expected(2, 3)
-      ->check(number_between(least_length, most_length));
+  isar->add_option("input", request.result, "Result of a run, its folder, or a case to be run first")
+      ->type_name("RESULT.csv|.nc|DIR|CASE.toml");
+  isar->add_option("--size", request.product.size_words,
+                   "Of the image along range, cross-range and height [m]: 8x8, or 8 8; default the target's")
+      ->type_name("MxM[xM]")
+      ->expected(1, 4);
   isar->add_option("--pixels", request.product.pixels, "Cells of the image to a resolution cell; default 4")
       ->type_name("N")
       ->check(number_between(1.0, 32.0));
@@ -179,10 +182,10 @@ CLI::App* add_centres(CLI::App& app, Request& request) {
   add_set_option(*centres, request);
   centres->add_option("--look", request.look, "Direction, counted from 0; default 0")
       ->type_name("I")
-      ->check(CLI::Range(0, 1000000000));
-  centres->add_option("-n,--count", request.product.centres, "So many at most; default 50")
+      ->check(whole_number(0, 1000000000));
+  centres->add_option("-n,--count", request.product.centres, "Maximum number of centres; default 50")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      ->check(whole_number(1, 1000));
   centres
       ->add_option("--resolution", request.product.resolution,
                    "Of their places [m]; default what the case's band resolves, or a sixtieth of the target")
@@ -191,39 +194,23 @@ CLI::App* add_centres(CLI::App& app, Request& request) {
   add_output_option(*centres, request, "Folder for the results, or FILE.nc; default <case folder>/out");
   add_machine_options(*centres, request);
   add_quiet_option(*centres, request, "summary");
+  add_json_option(*centres, request);
   return centres;
 }
 
-CLI::App* add_report(CLI::App& app, Request& request) {
-  CLI::App* report = add_command(app, "report", "One page of HTML from the results of a run", report_examples);
-  report->add_option("result", request.result, "Folder of a run, or its rcs.csv or netCDF file")
-      ->required()
-      ->type_name("DIR|RESULT.csv|.nc");
-  report->add_option("-o,--output", request.report.file, "The page; default report.html beside the result")
-      ->type_name("FILE.html")
-      ->check([](const std::string& name) { return name.empty() ? "needs the name of a file" : std::string(); });
-  report
-      ->add_option("--looks", request.report.looks,
-                   "Looks whose return is shown in space, counted from 0; default those of output.image_look, or the strongest")
-      ->type_name("I,...")
-      ->delimiter(',')
-      ->check(CLI::Range(0, 1000000000));
-  add_quiet_option(*report, request, "summary");
-  return report;
-}
-
-void check_product_options(const CLI::App& command, const Request& request) {
+void check_product_options(const CLI::App& command, Request& request) {
+  request.product.size = lengths_of_size(request.product.size_words, request.result);
   const WindowKind kind = request.product.window.kind;
   if (command.count("--sidelobes") > 0 && kind != WindowKind::taylor && kind != WindowKind::kaiser)
     throw InputError(
         fmt::format("--sidelobes: a {} window has side lobes of its own; leave it out, or write --window taylor or kaiser",
                     name_of(request.product.window)));
   if (command.get_name() != "isar") return;
-  if (!request.product.plan && command.count("input") == 0)
+  if (!request.product.plan && request.result.empty())
     throw InputError("input is required: a result or a case, or --plan SIZE RESOLUTION; see raytube isar --help");
-  if (request.product.plan && command.count("input") > 0)
+  if (request.product.plan && !request.result.empty())
     throw InputError("--plan: computes nothing, so that it takes no result and no case; leave one out");
-  for (const char* option : {"--output", "--set", "--size", "--pixels", "--window", "--sidelobes", "--direct"})
+  for (const char* option : {"--output", "--set", "--resume", "--size", "--pixels", "--window", "--sidelobes", "--direct"})
     if (request.product.plan && command.count(option) > 0)
       throw InputError(fmt::format("{}: means nothing with --plan; leave it out", option));
   if (!request.product.plan && command.count("--ghz") > 0) throw InputError("--ghz: means nothing without --plan; leave it out");

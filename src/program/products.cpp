@@ -6,31 +6,28 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "case/read_case.h"
 #include "case/target.h"
+#include "core/csv_reader.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/ordered_json.h"
 #include "core/text.h"
 #include "core/threads.h"
 #include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
-#include "jobs/memory.h"
-#include "jobs/result_warnings.h"
 #include "jobs/solvable.h"
-#include "jobs/warnings/warnings.h"
+#include "output/compare/density_results.h"
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/tables/stored.h"
-#include "program/helping.h"
+#include "program/python.h"
 #include "program/solve_warnings.h"
 #include "program/work/destination.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
-#include "ranks/ranks.h"
-#include "scene/sampling.h"
 #include "solve/pieces.h"
-#include "solve/solve.h"
 
 namespace raytube {
 
@@ -38,39 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* solved_result = "rcs.nc";
-
 bool is_case(const fs::path& file) { return lower_case(file.extension().string()) == ".toml"; }
-
-// Of a case, unless its pieces are enough.
-bool is_solved_first(const Request& request) { return is_case(request.result) && !request.product.direct; }
-
-SweepResult solved(const Request& request, const SolvePlan& plan) {
-  ProgressBar bar(request.quiet, work_text(plan));
-  const auto progress = [&](double share) {
-    bar.show(share);
-    return !InterruptFlag::raised();
-  };
-  SweepResult result = solve(plan, progress, {}, team_of(request));
-  if (request.ranks) request.ranks->end();
-  return result;
-}
-
-// What run says before and after it, too.
-void solve_into(ProductSource& source, const Request& request, const SolvePlan& plan, const MeshReport& report,
-                Manifest& manifest) {
-  const Case& c = *source.of_case;
-  warn_of_materials(c, report, plan.target, manifest);
-  const std::vector<std::string> warnings = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
-  for (const std::string& sentence : warnings) warn(sentence);
-  check_memory(plan, c, nullptr);
-  const SweepResult result = naming_the_case(c, [&] { return solved(request, plan); });
-  source.unusable_rows = warn_of_unusable_rows(result.statistics);
-  warn_of_lost_rays(c, result.statistics);
-  source.result = stored(c.sweep, result);
-  add_result(manifest, result, warnings_of_result(warnings, c, plan.target, report, result.statistics));
-  source.result.attributes = attributes_of(manifest);
-}
 
 // Of a case that is not solved, so that nothing is known of a result.
 std::vector<std::pair<std::string, std::string>> attributes_without_result(const Manifest& manifest) {
@@ -81,54 +46,55 @@ std::vector<std::pair<std::string, std::string>> attributes_without_result(const
   return attributes;
 }
 
-ProductSource source_of_case(const Request& request, const SweepCheck& check) {
+// For pieces. What a run of the case is refused for they are refused for, too.
+ProductSource source_of_pieces(const Request& request) {
   const Case c = read_case(request.result, request.overrides);
-  LoadedMesh loaded = load_target(c, request.product.direct);
-  if (is_solved_first(request)) share_work(request, c, loaded.mesh);
+  LoadedMesh loaded = load_target(c, true);
   warn_of_reading(c, loaded.report);
-  const int threads = request.threads > 0 ? request.threads : all_threads();
-  ProductSource source{.of_case = c, .name = c.file.string(), .title = c.title, .result = stored_sweep(c.sweep), .target = {}};
-  Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
-  run_on_threads(threads, [&] { source.target = std::make_unique<const Target>(std::move(loaded.mesh), c.wedges); });
-  const SolvePlan plan = plan_of_case(*source.target, c, threads, false);
-  check(source);
-  if (is_solved_first(request))
-    solve_into(source, request, plan, loaded.report, manifest);
-  else
-    source.result.attributes = attributes_without_result(manifest);
+  const Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
+  std::shared_ptr<const Target> target;
+  run_on_threads(request.threads, [&] { target = std::make_shared<const Target>(std::move(loaded.mesh), c.wedges); });
+  plan_of_case(*target, c, request.threads, false);
+  ProductSource source = source_of(c, std::move(target));
+  source.result.attributes = attributes_without_result(manifest);
   return source;
 }
 
-std::string text_of(const JsonValue& json, const char* name) {
-  const JsonValue* value = json.find(name);
-  return value ? value->text : "";
+// A value of JSON in the syntax of TOML, which differs for tables alone: none of these sections holds one.
+void add_settings(const Json& resolved, const char* section, std::vector<std::string>& settings) {
+  if (const Json* const keys = find(resolved, section))
+    for (const auto& [key, value] : keys->items()) settings.push_back(fmt::format("{}.{}={}", section, key, text_of_json(value)));
 }
 
-// A value of JSON in the syntax of TOML, which differs for tables alone: none of these sections holds one.
-void add_settings(const JsonValue& resolved, const char* section, std::vector<std::string>& settings) {
-  const JsonValue* const keys = resolved.find(section);
-  for (std::size_t i = 0; keys && i < keys->names.size(); ++i)
-    settings.push_back(fmt::format("{}.{}={}", section, keys->names[i], json_text(keys->items[i], -1)));
+// The case of run.json, with the settings that it was run with, those of --set among them. Throws InputError if it cannot be
+// read.
+Case case_of_run(const Json& run) {
+  std::vector<std::string> settings;
+  if (const Json* const resolved = find(run, "case")) {
+    if (const Json* target = find(*resolved, "target"))
+      for (const char* key : {"mesh", "unit"})
+        if (const Json* value = find(*target, key)) settings.push_back(fmt::format("target.{}={}", key, text_of_json(*value)));
+    for (const char* section : {"frequency", "look", "tubes", "accuracy", "edges", "surfaces"})
+      add_settings(*resolved, section, settings);
+  }
+  return read_case(text_at(run, "case_file"), settings);
 }
 
 // Of one mesh file a text, of several a list.
-std::vector<std::string> mesh_hashes(const JsonValue& run) {
-  const JsonValue* const mesh = run.find("mesh");
-  const JsonValue* const sha256 = mesh ? mesh->find("sha256") : nullptr;
+std::vector<std::string> mesh_hashes(const Json& run) {
+  const Json* const mesh = find(run, "mesh");
+  const Json* const sha256 = mesh ? find(*mesh, "sha256") : nullptr;
   if (!sha256) return {};
-  if (sha256->kind == JsonValue::Kind::text) return {sha256->text};
-  std::vector<std::string> hashes;
-  for (const JsonValue& hash : sha256->items) hashes.push_back(hash.text);
-  return hashes;
+  return sha256->is_string() ? std::vector{sha256->get<std::string>()} : sha256->get<std::vector<std::string>>();
 }
 
 // The target of a result, if its meshes are where its run had them, and the same.
-std::unique_ptr<const Target> target_of(const JsonValue& run) {
+std::shared_ptr<const Target> target_of(const Json& run) {
   try {
     const Case c = case_of_run(run);
     LoadedMesh loaded = load_target(c);
     if (mesh_hashes(run) != sha256_of_meshes(c, loaded.report)) return {};
-    return std::make_unique<const Target>(std::move(loaded.mesh), c.wedges);
+    return std::make_shared<const Target>(std::move(loaded.mesh), c.wedges);
   } catch (const InputError&) {
     return {};
   }
@@ -137,59 +103,37 @@ std::unique_ptr<const Target> target_of(const JsonValue& run) {
 // Of the table that a result is, or is a copy of.
 std::string rcs_csv_sha256_of(const fs::path& file, const StoredResult& result) {
   if (!is_netcdf_name(file)) return sha256_of_file(file);
-  const auto found = std::ranges::find(result.attributes, "rcs_csv_sha256", &std::pair<std::string, std::string>::first);
-  return found == result.attributes.end() ? "" : found->second;
-}
-
-ProductSource stored_result(const fs::path& file) {
-  ProductSource source{.of_case = {}, .name = file.string(), .title = file.filename().string(), .result = {}, .target = {}};
-  source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
-  for (const auto& [name, text] : source.result.attributes)
-    if (name == "title") source.title = text;
-  const std::optional<JsonValue> run = run_of(file);
-  if (!run || text_of(*run, "rcs_csv_sha256") != rcs_csv_sha256_of(file, source.result)) return source;
-  if (const JsonValue* const resolved = run->find("case"); resolved && !text_of(*resolved, "title").empty())
-    source.title = text_of(*resolved, "title");
-  source.target = target_of(*run);
-  return source;
+  return attribute_of(result, "rcs_csv_sha256");
 }
 
 // All that scatters in one look of the case, at the frequency in the middle of its list.
 void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
   const Case& c = *source.of_case;
   SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
-  options.progress = [](double) { return !InterruptFlag::raised(); };
   const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
+  options.progress = progress_of_pieces(request, look, frequency);
   naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink, c.ground); });
 }
 
-Destination destination_of_products(const Request& request, const ProductNames& names) {
-  const fs::path folder = fs::absolute(request.result).parent_path();
-  return destination_of(request.output_folder, is_case(request.result) ? folder / "out" : folder,
-                        names.files.tables.front().c_str());
-}
-
-bool wants_netcdf(const ProductSource& source) { return source.of_case && source.of_case->netcdf; }
-
-ResultNames all_names(const Request& request, const ProductSource& source, const ProductNames& names) {
-  if (const Destination destination = destination_of_products(request, names); destination.one_file())
-    return {{}, {destination.file}};
-  ResultNames all = names.files;
-  if (wants_netcdf(source)) all.tables.push_back(names.netcdf);
-  if (is_solved_first(request)) all.tables.insert(all.tables.begin(), solved_result);
-  return all;
+// A result that is there, or pieces.
+ProductSource product_source(const Request& request) {
+  const std::string file = request.result.string();
+  if (request.ranks)
+    throw InputError(fmt::format("{}: nothing is solved that several processes could share; start one alone", file));
+  if (request.resume)
+    throw InputError(fmt::format("--resume: nothing is solved of {} that could have been stopped; leave it out", file));
+  if (is_case(request.result)) return source_of_pieces(request);
+  if (request.product.direct)
+    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", file));
+  if (!request.overrides.empty())
+    throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
+                                 request.overrides.front()));
+  return stored_source(request.result);
 }
 
 std::vector<InputFile> inputs_of(const Request& request, const ProductSource& source) {
   if (source.of_case) return input_files(*source.of_case);
   return {{"the result", request.result}};
-}
-
-void write_folder(const Request& request, const ProductSource& source, const ProductNames& names, const ProductWriter& write,
-                  const fs::path& folder) {
-  write.files(folder);
-  if (wants_netcdf(source)) write.netcdf(folder / names.netcdf);
-  if (is_solved_first(request)) write_netcdf(folder / solved_result, source.result);
 }
 
 void print_places(const ResultNames& names, const NewResults& results, const Destination& destination) {
@@ -202,22 +146,31 @@ void print_places(const ResultNames& names, const NewResults& results, const Des
 
 }  // namespace
 
-std::optional<JsonValue> run_of(const fs::path& result) {
-  std::ifstream in(fs::absolute(result).parent_path() / "run.json");
-  return parsed_json({std::istreambuf_iterator<char>(in), {}});
+ProductSource source_of(const Case& c, std::shared_ptr<const Target> target) {
+  return {c, c.file.string(), c.title, stored_sweep(c.sweep), std::move(target)};
 }
 
-Case case_of_run(const JsonValue& run) {
-  std::vector<std::string> settings;
-  if (const JsonValue* const resolved = run.find("case")) {
-    if (const JsonValue* target = resolved->find("target"))
-      for (const char* key : {"mesh", "unit"})
-        if (const JsonValue* value = target->find(key))
-          settings.push_back(fmt::format("target.{}={}", key, json_text(*value, -1)));
-    for (const char* section : {"frequency", "look", "tubes", "accuracy", "edges", "surfaces"})
-      add_settings(*resolved, section, settings);
-  }
-  return read_case(text_of(run, "case_file"), settings);
+ProductSource stored_source(const fs::path& file) {
+  ProductSource source{.of_case = {}, .name = file.string(), .title = file.filename().string(), .result = {}, .target = {}};
+  source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
+  if (const std::string title = attribute_of(source.result, "title"); !title.empty()) source.title = title;
+  std::ifstream in(fs::absolute(file).parent_path() / "run.json");
+  const Json run = json_of(std::string{std::istreambuf_iterator<char>(in), {}});
+  if (run.is_discarded() || text_at(run, "rcs_csv_sha256") != rcs_csv_sha256_of(file, source.result)) return source;
+  if (const Json* const resolved = find(run, "case"); resolved && !text_at(*resolved, "title").empty())
+    source.title = text_at(*resolved, "title");
+  source.target = target_of(run);
+  return source;
+}
+
+std::function<bool(double)> progress_of_pieces(const Request& request, std::size_t look, double frequency) {
+  return [&request, look, frequency, bar = std::shared_ptr<ProgressBar>()](double share) mutable {
+    if (!bar)
+      bar = std::make_shared<ProgressBar>(request.quiet,
+                                          fmt::format("taking look {} at {:g} GHz to pieces", look, frequency * 1e-9));
+    bar->show(share);
+    return !InterruptFlag::raised();
+  };
 }
 
 std::vector<dvec3> ProductSource::outermost() const { return target ? outermost_of(*target) : std::vector<dvec3>{}; }
@@ -231,7 +184,7 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
   const std::vector<std::string>& wanted = request.product.mechanisms;
   bool any = false;
   pieces_of_look(request, source, look, cell, [&](const ScatteringPiece& piece) {
-    const std::string name = scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)];
+    const std::string name = name_of(piece.mechanism);
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
     any = any || largest_amplitude(piece.s) > 0.0;
     sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
@@ -241,42 +194,66 @@ void direct_pieces(const Request& request, const ProductSource& source, std::siz
                                  fmt::join(wanted, ","), look));
 }
 
-ProductSource product_source(const Request& request, const SweepCheck& check) {
-  if (request.ranks && !is_solved_first(request))
+void Product::write(const fs::path& folder, const Destination& destination, bool with_netcdf) const {
+  if (!destination.one_file()) {
+    write_files(folder);
+    stop_if_interrupted();
+    const std::string trouble = draw_with_python(folder, {drawn}, run.empty() ? folder : run);
+    if (!trouble.empty()) warn(trouble);
+  }
+  if (destination.one_file() || with_netcdf) write_netcdf(folder / (destination.one_file() ? destination.file : netcdf));
+  stop_if_interrupted();
+}
+
+std::vector<double> lengths_of_size(const std::vector<std::string>& words, fs::path& input) {
+  constexpr double least = 1e-6, most = 1e6;  // [m]
+  std::vector<double> lengths;
+  for (const std::string& word : words) {
+    const std::size_t before = lengths.size();
+    for (std::size_t at = 0, end = 0; at <= word.size(); at = end + 1) {
+      end = std::min(word.find_first_of("x,", at), word.size());
+      const std::optional<double> length = parsed_number(word.substr(at, end - at));
+      if (length && *length >= least && *length <= most) {
+        lengths.push_back(*length);
+        continue;
+      }
+      if (before < 2 || !input.empty() || &word != &words.back())
+        throw InputError(
+            fmt::format("--size: needs two lengths in metres, or three of an image in space, such as 8x8 (found {})", word));
+      lengths.resize(before);
+      input = word;
+      break;
+    }
+  }
+  if (!words.empty() && (lengths.size() < 2 || lengths.size() > 3))
     throw InputError(
-        fmt::format("{}: nothing is solved that several processes could share; start one alone", request.result.string()));
-  if (is_case(request.result)) return source_of_case(request, check);
-  if (request.product.direct)
-    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", request.result.string()));
-  if (!request.overrides.empty())
-    throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
-                                 request.overrides.front()));
-  ProductSource source = stored_result(request.result);
-  check(source);
-  return source;
+        fmt::format("--size: needs two lengths in metres, or three of an image in space (found {})", fmt::join(words, " ")));
+  return lengths;
 }
 
-void check_products(const Request& request, const ProductSource& source, const ProductNames& names) {
-  check_output(destination_of_products(request, names).folder, all_names(request, source, names), inputs_of(request, source));
-}
-
-void write_products(const Request& request, const ProductSource& source, const ProductNames& names, const ProductWriter& write) {
-  const Destination destination = destination_of_products(request, names);
+void make_product(const Request& request, Product& product) {
+  Request run = request;
+  run.case_file = run.result = result_in(request.result);
+  if (is_case(run.result) && !request.product.direct) return run_case(run, &product);
+  product.source = product_source(run);
+  const ProductSource& source = product.source;
+  if (attribute_of(source.result, "title").empty()) product.source.result.attributes.emplace_back("title", source.title);
+  const fs::path folder_of_input = fs::absolute(run.result).parent_path();
+  const Destination destination = destination_of(
+      request.output_folder, source.of_case ? folder_of_input / "out" : folder_of_input, product.names.tables.front().c_str());
+  const ResultNames names = destination.one_file() ? ResultNames{{}, {destination.file}} : product.names;
+  check_output(destination.folder, names, inputs_of(run, source));
+  product.run = source.of_case ? run.result : folder_of_input;
+  product.check();
+  const std::string text = product.make();
+  if (!request.quiet) fmt::print("{}", text);
   const OutputFolder folder(destination.folder);
   AllOrNothing ending(folder);
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
-  if (destination.one_file())
-    write.netcdf(results.folder() / destination.file);
-  else
-    write_folder(request, source, names, write, results.folder());
-  stop_if_interrupted();
-  const ResultNames all = all_names(request, source, names);
-  const std::vector<std::string> leftovers =
-      destination.one_file() ? std::vector<std::string>{} : std::vector<std::string>{names.netcdf};
-  replace_results(results, folder.path(), all, leftovers, [&ending] { ending.complete(); });
-  if (!request.quiet) print_places(all, results, Destination{folder.path(), destination.file});
-  if (source.unusable_rows) throw unusable_rows_in(folder.path());
+  product.write(results.folder(), destination, source.of_case && source.of_case->netcdf);
+  replace_results(results, folder.path(), names, {}, [&ending] { ending.complete(); });
+  if (!request.quiet) print_places(names, results, Destination{folder.path(), destination.file});
 }
 
 }  // namespace raytube

@@ -5,10 +5,10 @@
 #include <array>
 #include <map>
 
+#include "core/threads.h"
 #include "imaging/range_profile.h"
 #include "jobs/centres_of_look.h"
 #include "jobs/imaged_target.h"
-#include "output/imaging/profile_plot.h"
 #include "output/products/profile_csv.h"
 #include "output/products/profile_netcdf.h"
 #include "output/products/sweep_samples.h"
@@ -19,22 +19,19 @@ namespace raytube {
 
 namespace {
 
-ProductNames profile_names(const StoredResult& result) {
-  ProductNames names{{{"profile.png", "profile.svg"}, {"profile.csv"}}, "profile.nc"};
-  std::vector<std::string>& pictures = names.files.pictures;
-  if (result.looks.size() > 1) pictures.insert(pictures.end(), {"waterfall.png", "waterfall.svg"});
-  return names;
+// The look in the middle alone.
+std::size_t keep_middle_look(StoredResult& result) {
+  const std::size_t look = middle_index(result.looks.size());
+  result.looks = {result.looks[look]};
+  return look;
 }
 
-// S of each look from its pieces.
-void fill_from_pieces(const Request& request, const ProductSource& source, SweepSamples& samples) {
-  const double cell = range_limits(samples.frequency, {}).cell / pieces_to_a_cell;
-  samples.s.clear();
-  for (std::size_t look = 0; look < samples.looks.size(); ++look) {
-    DirectSweep direct(samples.frequency, samples.looks[look].transmit);
-    direct_pieces(request, source, look, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
-    std::ranges::copy(direct.scattering(), std::back_inserter(samples.s));
-  }
+std::vector<ScatteringMatrix> direct_sweep(const Request& request, const ProductSource& source, std::size_t look,
+                                           const SweepSamples& samples) {
+  DirectSweep direct(samples.frequency, samples.looks.front().transmit);
+  direct_pieces(request, source, look, range_limits(samples.frequency, {}).cell / pieces_to_a_cell,
+                [&](const PlacedScatterer& piece) { direct.add(piece); });
+  return direct.scattering();
 }
 
 // Sweeps from several files may have a look twice.
@@ -50,13 +47,10 @@ void warn_of_repeated_looks(const ProductSource& source) {
   }
 }
 
-std::string peak_text(const ProductSource& source, const RangeProfiles& profiles) {
-  const auto peak = std::ranges::max_element(profiles.s, {}, largest_amplitude);
-  const auto index = static_cast<std::size_t>(peak - profiles.s.begin());
-  const StoredLook& look = source.result.looks[index / profiles.range.count];
+std::string peak_text(const ProductSource& source, const RangePeak& peak) {
+  const StoredLook& look = source.result.looks[peak.look];
   return fmt::format("peak               {:.2f} dBsm at {:.4g} m beyond the origin, theta {:g}, phi {:g}\n",
-                     sigma_dbsm(largest_amplitude(*peak)), profiles.range.at(index % profiles.range.count), look.theta_deg,
-                     look.phi_deg);
+                     sigma_dbsm(peak.amplitude), peak.range, look.theta_deg, look.phi_deg);
 }
 
 std::string limits_text(const RangeProfiles& profiles, const Window& window) {
@@ -69,26 +63,31 @@ std::string limits_text(const RangeProfiles& profiles, const Window& window) {
 
 void profile_command(const Request& request) {
   const ProductRequest& asked = request.product;
-  ProductNames names;
+  Product product{.names = {{"profile.png", "profile.svg", "waterfall.png", "waterfall.svg"}, {"profile.csv", "profile.nc"}},
+                  .netcdf = "profile.nc"};
+  ProductSource& source = product.source;
+  std::size_t look = 0;  // of the pieces
   double middle = 0.0;
-  const ProductSource source = product_source(request, [&](const ProductSource& unsolved) {
-    names = profile_names(unsolved.result);
-    check_products(request, unsolved, names);
-    warn_of_repeated_looks(unsolved);
-    middle = middle_range(samples_of(unsolved.result, unsolved.name), unsolved.outermost(), unsolved.name);
-  });
-  SweepSamples samples = samples_of(source.result, source.name);
-  if (asked.direct) fill_from_pieces(request, source, samples);
-  const RangeProfiles profiles = range_profiles(samples, {asked.window, asked.padding, middle});
-  if (!request.quiet) fmt::print("{}{}", limits_text(profiles, asked.window), peak_text(source, profiles));
-  const auto write_files = [&](const std::filesystem::path& folder) {
-    write_profile_csv(folder / "profile.csv", source.result, profiles, asked.window);
-    stop_if_interrupted();
-    if (const std::string trouble = plot_profiles(folder, source.title, source.result, profiles); !trouble.empty()) warn(trouble);
+  RangeProfiles profiles;
+  product.check = [&] {
+    if (asked.direct) look = keep_middle_look(source.result);
+    warn_of_repeated_looks(source);
+    middle = middle_range(samples_of(source.result, source.name), source.outermost(), source.name);
   };
-  write_products(request, source, names, {write_files, [&](const std::filesystem::path& file) {
-                                            write_profile_netcdf(file, source.result, profiles, asked.window);
-                                          }});
+  product.make = [&] {
+    SweepSamples samples = samples_of(source.result, source.name);
+    if (asked.direct) samples.s = direct_sweep(request, source, look, samples);
+    run_on_threads(request.threads, [&] { profiles = range_profiles(samples, {asked.window, asked.padding, middle}); });
+    return limits_text(profiles, asked.window) + peak_text(source, profiles.peak);
+  };
+  product.write_files = [&](const std::filesystem::path& folder) {
+    write_profile_csv(folder / "profile.csv", source.result, profiles, asked.window);
+  };
+  product.write_netcdf = [&](const std::filesystem::path& file) {
+    write_profile_netcdf(file, source.result, profiles, asked.window);
+  };
+  product.drawn = "profile.csv";
+  make_product(request, product);
 }
 
 }  // namespace raytube

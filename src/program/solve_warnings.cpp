@@ -39,8 +39,8 @@ bool warn_of_unusable_rows(const Statistics& statistics) {
   return !statistics.beyond_bound.empty();
 }
 
-std::runtime_error unusable_rows_in(const std::filesystem::path& folder) {
-  return std::runtime_error(
+UnusableRows unusable_rows_in(const std::filesystem::path& folder) {
+  return UnusableRows(
       fmt::format("{}: the results are written, but hold rows that must not be used, as said above", folder.string()));
 }
 

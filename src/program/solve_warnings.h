@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 
 #include "case/data/case.h"
 #include "output/files/manifest.h"
 #include "plan/target.h"
+#include "program/work/exit_codes.h"
 
 namespace raytube {
 
@@ -22,7 +22,7 @@ void warn_of_lost_rays(const Case& c, const Statistics& statistics);
 /// whether there are any.
 bool warn_of_unusable_rows(const Statistics& statistics);
 
-/// What makes the program end with 1. To be thrown once the results are written: other rows of them are sound.
-std::runtime_error unusable_rows_in(const std::filesystem::path& folder);
+/// To be thrown once the results are written: other rows of them are sound.
+UnusableRows unusable_rows_in(const std::filesystem::path& folder);
 
 }  // namespace raytube

@@ -13,11 +13,11 @@
 #include "jobs/memory.h"
 #include "mesh/load.h"
 #include "mesh/model/join.h"
-#include "output/plots/sources_plot.h"
 #include "output/tables/sources_csv.h"
 #include "point_source/launch_limit.h"
 #include "point_source/ray_hits.h"
 #include "program/commands.h"
+#include "program/python.h"
 #include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"
@@ -240,7 +240,7 @@ void print_summary(const SourceStudy& study, bool exact, const fs::path& folder)
 }
 
 ResultNames names_of_source_results(bool plots) {
-  ResultNames names{{}, {"hits.ply", "sources.csv"}};
+  ResultNames names{{}, {"hits.ply", "launch.ply", "sources.csv"}};
   if (plots) names.pictures = {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg"};
   return names;
 }
@@ -266,13 +266,14 @@ void sources_command(const Request& request) {
   run_on_threads(threads, [&] { study.solve(go_on); });
   const SourceStudy& result = study.result();
 
-  make_again_if_gone(folder);
+  folder.require_there();
   NewResults results(folder.path());
   write_sources_csv(results.folder() / "sources.csv", result);
   stop_if_interrupted();
   write_hits_ply(results.folder() / "hits.ply", result);
+  write_launch_ply(results.folder() / "launch.ply", result);
   stop_if_interrupted();
-  const std::string trouble = c.plots ? plot_sources(results.folder(), result) : "";
+  const std::string trouble = c.plots ? draw_with_python(results.folder(), {"sources.csv"}, c.file) : "";
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
   replace_results(results, folder.path(), names_of_source_results(c.plots), names_of_source_results(true).pictures,

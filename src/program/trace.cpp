@@ -88,9 +88,7 @@ void print_look(std::size_t index, const Look& look) {
 }
 
 const Look& chosen_look(const Case& c, std::size_t index) {
-  if (index >= c.sweep.looks.size())
-    throw InputError(fmt::format("--look {}: {} has {} direction pair(s), counted from 0; choose among these", index,
-                                 c.file.string(), c.sweep.looks.size()));
+  require_look(c, index, c.file.string() + ": --look");
   return c.sweep.looks[index];
 }
 

@@ -1,7 +1,10 @@
 #include "program/wedge_list.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/error.h"
 #include "output/tables/wedges_csv.h"
 #include "output/vtk/wedges_vtp.h"
 #include "program/work/results.h"
@@ -19,7 +22,12 @@ std::filesystem::path folder_of_wedges(const std::filesystem::path& file) {
 
 }  // namespace
 
-void check_wedges_file(const std::filesystem::path& file) { folder_of_wedges(file); }
+void check_wedges_file(const std::filesystem::path& file) {
+  if (file.extension() != ".csv" && !wants_lines(file))
+    throw InputError(
+        fmt::format("--wedges {}: a list of wedges is a table or lines for ParaView; name a .csv or a .vtp", file.string()));
+  folder_of_wedges(file);
+}
 
 void write_wedge_list(const std::filesystem::path& file, const TriangleMesh& mesh, std::span<const Wedge> wedges,
                       const Sweep& sweep) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/field.h"
-#include "scene/parts.h"
+#include "scene/mechanisms.h"
 
 namespace raytube {
 
@@ -88,7 +88,8 @@ inline void add_look(TruncatedSums& all, const TruncatedSums& look) {
 
 /// What became of a mechanism in a solve.
 struct MechanismUse {
-  std::string name;                            // in words
+  std::string name;                            // as of scene/mechanisms.h
+  std::string label;                           // in words
   std::string key;                             // of the case, by which it is asked for
   bool on = false;                             // it took part, in looks in which it could change the answer
   std::string why_not;                         // if it did not

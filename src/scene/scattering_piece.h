@@ -1,20 +1,14 @@
 // What scatters, in pieces small against what a sweep resolves.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 
 #include "core/field.h"
+#include "scene/mechanisms.h"
 
 namespace raytube {
-
-/// What a piece is of.
-enum class ScatteringMechanism : std::uint8_t { first_bounce, second_bounce, later_bounces, edges, interaction, surface_waves };
-
-/// All of them, by their names in files.
-inline constexpr std::array scattering_mechanisms{"bounce_1", "bounce_2", "bounce_3_on", "edges", "interaction", "surface_waves"};
 
 /// Adds s to S of one monostatic look at one frequency.
 struct ScatteringPiece {

@@ -25,18 +25,6 @@ ScatteringMechanism mechanism_of_bounce(int bounce) {
                        : ScatteringMechanism::later_bounces;
 }
 
-ScatteringMechanism mechanism_of(MechanismId id) {
-  switch (id) {
-    case MechanismId::surface_waves:
-      return ScatteringMechanism::surface_waves;
-    case MechanismId::interaction:
-      return ScatteringMechanism::interaction;
-    case MechanismId::edge_currents:
-      break;
-  }
-  return ScatteringMechanism::edges;
-}
-
 }  // namespace
 
 BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
@@ -82,7 +70,7 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
     const ImageEdge& edge = request.pieces[i];
     dvec3 place = 0.5 * (edge.begin + edge.end);
     if (mirror) place.z = *mirror;
-    sink({place, edge.s, mechanism_of(request.mechanisms[i]), {}});
+    sink({place, edge.s, entry_of(request.mechanisms[i]).scatters, {}});
   }
 }
 

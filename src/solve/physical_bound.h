@@ -4,9 +4,9 @@
 // Bounds of |S_pq| [m], wavenumber k, for unit incident fields. Derived in docs/theory/bounds.md:
 //   one bounce, monostatic    k / (2 pi) A_p: the currents 2 n x H on what the wave meets, whose projected area is A_p
 //   any other bounce          k / (2 pi) A: as much current on all of the surface A
-//   edges, first order        L + k / (2 pi) A of bistatic looks: on either side of every edge, of length L in all, twice the
+//   edges, order 1            L + k / (2 pi) A of bistatic looks: on either side of every edge, of length L in all, twice the
 //                             incident field over half a wavelength; in forward directions the shadow of the faces
-//   edges, higher orders      as much again for every further edge in a row
+//   edges, orders 2, 3        as much again for every further edge in a row
 //   waves on curved surfaces  k / (2 pi) A: no current there is stronger than on a plane
 //   edges on other faces      k / (2 pi) A: what an edge diffracts is nowhere stronger than what it receives
 #pragma once
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "plan/plan.h"
-#include "scene/parts.h"
+#include "scene/mechanisms.h"
 
 namespace raytube {
 

@@ -19,10 +19,10 @@ namespace raytube {
 
 namespace {
 
-// Parts that have a bound each, in the words of whoever reads about them.
+// The mechanisms that have a bound each, in words.
 const std::vector<BeyondBound> bounded_parts{
-    {"edge-face interaction (edges.between)"},       {"edges, first order"}, {"edges, higher orders (edges.order)"},
-    {"waves over curved surfaces (surfaces.waves)"}, {"the first bounce"},   {"later bounces"}};
+    {"edge-face interaction (edges.between)"},       {"edges, order 1"},   {"edges, orders 2 and 3 (edges.order)"},
+    {"waves over curved surfaces (surfaces.waves)"}, {"the first bounce"}, {"later bounces"}};
 constexpr std::size_t first_bounce = all_parts.size(), later_bounces = first_bounce + 1;  // behind those of Part
 
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
@@ -251,8 +251,9 @@ void RowCollector::tell_mechanisms() {
     const auto i = static_cast<std::size_t>(entry.id);
     const MechanismState& state = states_[i];
     MechanismUse& use = used_[i];
-    use.name = entry.name, use.key = entry.key, use.on = state.on, use.why_not = state.why_not;
-    const std::string looks = std::string("looks without ") + entry.name;
+    use.name = name_of(entry.scatters), use.label = entry.label, use.key = entry.key, use.on = state.on,
+    use.why_not = state.why_not;
+    const std::string looks = std::string("looks without ") + entry.label;
     if (state.missed) all.skipped.push_back({looks, state.why_not, sweep_.looks.size()});
     std::ranges::copy(state.skipped, std::back_inserter(all.skipped));
     const bool is_interaction = entry.id == MechanismId::interaction;

@@ -49,7 +49,7 @@ TEST_F(AntennasProgram, RefusesWhatItDoesNotKnow) {
   expect_refused(run + "--set output.image_look=0 --set output.image_per_wavelength=1e9", " would fit");
   expect_refused(run + "--set edges.method=utd --set edges.utd_range_m=3", "remove one of the two");
   expect_refused(run + "--set 'radar.aim_m=[0,0,9]' --set look.theta_deg=0", "radar.aim_m lies at an antenna, or behind one");
-  expect_refused("run case.toml --set radar.range_m=1e300", "radar.range_m must be at most 1e+12");
+  expect_refused("run case.toml --set radar.range_m=1e300", "radar.range_m must be greater than 0 and at most 1e+12");
   for (const char* command : {"run ", "check ", "trace --look 0 --u 0 --v 0 "})
     expect_refused(std::string(command) + "case.toml --set radar.range_m=1e-6", "move it away (radar.range_m, radar.position_m)");
 }

@@ -40,7 +40,7 @@ std::vector<BadRow> image_rows() {
   const std::string header = "col,row,magnitude_vv\n", whole = header + "0,0,1\n1,0,2\n0,1,1\n1,1,0\n";
   return {
       pixels("image_against_table", "phi_deg,sigma_vv_dbsm\n0,1\n",
-             "image.csv is an image and bad.csv is none; compare two images, or two tables of looks"),
+             "image.csv is an image and bad.csv is not; compare two images, or two tables of looks"),
       pixels("image_without_rows", header, ": no rows below the header; nothing can be compared"),
       pixels("image_without_channels", "col,row,brightness\n0,0,1\n", ", line 1: no channel; name at least re_vv and im_vv"),
       pixels("image_of_another_channel", "col,row,magnitude_hh\n0,0,1\n1,0,2\n0,1,1\n1,1,0\n",
@@ -52,7 +52,7 @@ std::vector<BadRow> image_rows() {
       pixels("image_of_uneven_pixels", header + "0,0,1\n1,0,2\n3,0,2\n", ": col are not in even steps"),
       pixels("image_of_another_size", header + "0,0,1\n1,0,2\n", "has 2 x 1 pixels, "),
       pixels("image_of_nan", header + "0,0,nan\n", ", line 2, column magnitude_vv: \"nan\" is not a finite number"),
-      pixels("image_in_space", "range_m,cross_range_m,height_m,magnitude_vv\n0,0,0,1\n", ", line 1: is an image in space"),
+      pixels("image_in_space", "range_m,cross_range_m,height_m,magnitude_vv\n0,0,0,1\n", "is an image in space"),
       {"image_zero_throughout", "compare image.csv dark.csv",
        "dark.csv: zero in every pixel compared; give a reference with a signal",
        [=](const Scratch& scratch) {
@@ -88,10 +88,10 @@ std::vector<BadRow> looks_rows() {
       looks("looks_too_few_cells", header + "1,2\n3\n", ", line 3: 1 values where the header names 2 columns; correct the line"),
       looks("looks_too_many_cells", header + "1,2,3\n", ", line 2: 3 values where the header names 2 columns"),
       looks("looks_quoted_comma", header + "\"1,2\",3\n", ", line 2: 3 values where the header names 2 columns"),
-      looks("looks_below_zero", header + "-0.001,0\n", ", line 2: theta must lie in 0 to 180 degrees"),
-      looks("looks_of_1e308", header + "1,1e308\n", ", line 2: phi_deg is 1e+308, where numbers lie 2e+292 degrees apart"),
+      looks("looks_below_zero", header + "-0.001,0\n", ", line 2: theta must be from 0 to 180 degrees"),
+      looks("looks_of_1e308", header + "1,1e308\n", ", line 2: phi_deg is 1e+308, too large for an angle"),
       looks("looks_received_at_1e20", "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg\n1,2,3,1e20\n",
-            ", line 2: rx_phi_deg is 1e+20, where numbers lie"),
+            ", line 2: rx_phi_deg is 1e+20, too large"),
       looks("looks_in_utf16", in_utf16(header + "1,2\n"), ": is text in UTF-16; save it as UTF-8"),
       looks("looks_with_nul", header + std::string("1\0,2\n", 5), ", line 2, column theta_deg: \"1?\" is not a finite number"),
       looks("looks_line_of_2e6_bytes", header + std::string(2000000, '1') + ",2\n",
@@ -106,7 +106,7 @@ std::vector<BadRow> looks_rows() {
       {"looks_name_empty", "run case.toml --set 'look={looks_csv=\"\"}'",
        "look.looks_csv is empty; give the file of the look list, relative to the case file"},
       {"looks_beside_angles", "run case.toml --set look.looks_csv=a.csv",
-       "look.looks_csv takes the place of look.theta_deg and look.phi_deg; remove"},
+       "look.looks_csv cannot be combined with look.theta_deg; remove"},
       pattern("pattern_of_1e300_degrees", "angle_deg,azimuth_db,elevation_db\n0,0,0\n1e300,-3,-3\n",
               ", line 3: angle_deg must lie in -360 to 360 degrees (found 1e+300)"),
       pattern("pattern_of_one_row", "angle_deg,azimuth_db,elevation_db\n0,0,0\n",
@@ -195,29 +195,25 @@ std::vector<BadRow> folder_rows() {
        [](const Scratch& scratch) { fs::create_symlink("/proc/none/out", scratch / "link"); }},
       {"output_name_of_5000_letters", "run case.toml -o " + std::string(5000, 'o'),
        "cannot be created (File name too long); choose another one"},
-      {"output_name_empty", "run case.toml -o ''", "needs the name of a folder; see raytube --help"},
+      {"output_name_empty", "run case.toml -o ''", "needs the name of a folder; see raytube run --help"},
       {"output_from_a_vanished_folder", "run $OLDPWD/case.toml -o out", "output folder out: cannot be found from here",
        [](const Scratch&) {}, "", "mkdir gone && cd gone && rmdir ../gone && "},
-      {"wedges_over_the_mesh", "check case.toml --wedges mesh.off",
-       "--wedges mesh.off: holds something else than an earlier result; "},
-      {"wedges_into_a_folder", "check case.toml --wedges .", "--wedges .: cannot be written; "},
+      {"wedges_over_the_mesh", "check case.toml --wedges mesh.off", "--wedges mesh.off: a list of wedges"},
+      {"wedges_into_a_folder", "check case.toml --wedges .", "--wedges .: a list of wedges"},
       {"wedges_into_a_missing_folder", "check case.toml --wedges none/wedges.csv",
        "--wedges none/wedges.csv: cannot be written; "},
-      {"wedge_lines_over_the_mesh", "check case.toml --wedges mesh.vtp",
-       "--wedges mesh.vtp: holds something else than an earlier result; ",
+      {"wedge_lines_over_the_mesh", "check case.toml --wedges mesh.vtp", "--wedges mesh.vtp: is not an earlier result; ",
        [](const Scratch& scratch) { scratch.write("mesh.vtp", plate); }},
       {"paths_over_somebody_elses", "trace case.toml --look 0 --all --paths mesh.vtp",
-       "--paths mesh.vtp: holds something else than an earlier result; ",
-       [](const Scratch& scratch) { scratch.write("mesh.vtp", plate); }},
+       "--paths mesh.vtp: is not an earlier result; ", [](const Scratch& scratch) { scratch.write("mesh.vtp", plate); }},
       {"hits_over_somebody_elses", "trace case.toml --look 0 --all --hits mesh.vtu",
-       "--hits mesh.vtu: holds something else than an earlier result; ",
-       [](const Scratch& scratch) { scratch.write("mesh.vtu", plate); }},
+       "--hits mesh.vtu: is not an earlier result; ", [](const Scratch& scratch) { scratch.write("mesh.vtu", plate); }},
       {"paths_into_a_missing_folder", "trace case.toml --look 0 --all --paths none/paths.vtp",
        "--paths none/paths.vtp: cannot be written; "},
       {"hits_into_a_missing_folder", "trace case.toml --look 0 --all --hits none/hits.vtu",
        "--hits none/hits.vtu: cannot be written; "},
       {"surface_rays_over_the_mesh", "trace case.toml --look 0 --surface-rays mesh.off",
-       "--surface-rays mesh.off: holds something else than an earlier result; "},
+       "--surface-rays mesh.off: is not an earlier result; "},
       {"surface_rays_into_a_folder", "trace case.toml --look 0 --surface-rays .", "--surface-rays .: cannot be written; "},
       {"surface_rays_into_a_missing_folder", "trace case.toml --look 0 --surface-rays none/rays.vtp",
        "--surface-rays none/rays.vtp: cannot be written; "},
@@ -226,13 +222,13 @@ std::vector<BadRow> folder_rows() {
 
 BadRow taken(const std::string& name, const std::string& file, const std::string& words) {
   return with_file("taken_" + name, file, "somebody's own", words + " -o .",
-                   ": is where a result is to go, and is not what raytube");
+                   ": is in the place of a result, and is not as raytube");
 }
 
 // A file that is read, in the place of a result.
 BadRow read(const std::string& name, const std::string& file, const std::string& bytes, const std::string& words,
             const std::string& key) {
-  return with_file("read_" + name, file, bytes, words + " -o .", ": is read here (" + key + "), and a result of that name");
+  return with_file("read_" + name, file, bytes, words + " -o .", ": is an input (" + key + "), and a result of that name");
 }
 
 std::vector<BadRow> place_rows() {
@@ -264,36 +260,42 @@ std::vector<BadRow> place_rows() {
            "table_csv"),
       read("second_mesh", "rcs.csv", plate, "run case.toml --set 'target.mesh=[\"mesh.off\", \"rcs.csv\"]'", "target.mesh"),
       read("table", "compare.csv", table, "compare compare.csv compare.csv", "the first table"),
-      {"read_mesh", "sources scene.toml -o .", "hits.ply: is read here (scene.parts.mesh), and a result of that name",
+      {"read_mesh", "sources scene.toml -o .", "hits.ply: is an input (scene.parts.mesh), and a result of that name",
        [=](const Scratch& scratch) {
          scratch.write("scene.toml", sources);
          scratch.write("hits.ply", "ply\n");
        }},
-      {"read_through_a_link", "run linked.json -o .", "run.json: is read here (the case)",
+      {"read_through_a_link", "run linked.json -o .", "run.json: is an input (the case)",
        [](const Scratch& scratch) {
          scratch.write("run.json", good_case);
          fs::create_symlink("run.json", scratch / "linked.json");
        }},
-      {"folder_for_a_table", "run case.toml -o .", "rcs.csv: is a folder where a result is to go; move it away",
+      {"folder_for_a_table", "run case.toml -o .", "rcs.csv: is a folder in the place of a result; move it away",
        folder("rcs.csv")},
-      {"folder_for_a_picture", "run case.toml -o .", "rcs.png: is a folder where a result is to go; move it away",
+      {"folder_for_a_picture", "run case.toml -o .", "rcs.png: is a folder in the place of a result; move it away",
        folder("rcs.png")},
-      {"link_for_a_table", "run case.toml -o .", "rcs.csv: is where a result is to go",
+      {"link_for_a_table", "run case.toml -o .", "rcs.csv: is in the place of a result",
        [](const Scratch& scratch) { fs::create_symlink("nowhere", scratch / "rcs.csv"); }},
   };
 }
 
 std::vector<BadRow> command_rows() {
   return {
-      {"no_words", "", "no command; write run, check"},
-      {"unknown_command", "fly case.toml", "unknown command \"fly\"; write run, check"},
-      {"command_in_capitals", "RUN case.toml", "unknown command \"RUN\"; write"},
+      {"command_misspelt", "rnu case.toml", "did you mean \"run\"?"},
+      {"option_misspelt", "run case.toml --quite", "did you mean --quiet?"},
+      {"result_of_matlab", "run case.toml -o result.mat", "-o result.mat: results are a folder of files"},
+      {"mesh_without_unit", "run mesh.off --ghz 10", "give --unit m, cm"},
+      {"mesh_without_frequency", "run mesh.off --unit mm", "give the frequency with --ghz"},
+      {"mesh_azimuth_of_a_word", "run mesh.off --unit mm --ghz 10 --azimuth east", "--azimuth east: write a number"},
+      {"unit_of_a_case", "run case.toml --unit mm", "--unit: goes with a mesh"},
+      {"unknown_command", "fly case.toml", "unknown command \"fly\"; there are run, "},
+      {"command_in_capitals", "RUN case.toml", "unknown command \"RUN\"; did you mean \"run\"?"},
       {"command_of_1e5_letters", std::string(100000, 'f'), "unknown command \"fff"},
-      {"option_unknown", "run case.toml --fast", "--fast; see raytube --help"},
+      {"option_unknown", "run case.toml --fast", "--fast; see raytube run --help"},
       {"check_threads_none", "check case.toml --threads 0", "--threads"},
-      {"option_of_another_command", "check case.toml --parts", "--parts; see raytube --help"},
-      {"two_cases", "run case.toml case.toml", "case.toml; see raytube --help"},
-      {"run_without_case", "run", "case is required; see raytube --help"},
+      {"option_of_another_command", "check case.toml --parts", "--parts; see raytube check --help"},
+      {"two_cases", "run case.toml case.toml", "case.toml; see raytube run --help"},
+      {"run_without_case", "run", "case is required; see raytube run --help"},
       {"threads_zero", "run case.toml --threads 0", "--threads: "},
       {"threads_negative", "run case.toml --threads -1", "--threads: "},
       {"threads_1e9", "run case.toml --threads 1000000000", "--threads: "},
@@ -311,9 +313,9 @@ std::vector<BadRow> command_rows() {
       {"trace_look_beyond", "trace case.toml --look 7 --u 0 --v 0", "1 direction pair"},
       {"trace_beside_the_target", "trace case.toml --look 0 --u 1e300 --v 0", "--u"},
       {"trace_at_infinity", "trace case.toml --look 0 --u inf --v 0", "must be finite"},
-      {"trace_at_a_word", "trace case.toml --look 0 --u here --v 0", "--u = here; see raytube --help"},
-      {"trace_of_nothing", "trace case.toml --look 0", "--u is required, with --v and --look; see raytube --help"},
-      {"trace_without_v", "trace case.toml --look 0 --u 0", "--v is required, with --u and --look; see raytube --help"},
+      {"trace_at_a_word", "trace case.toml --look 0 --u here --v 0", "--u = here; see raytube trace --help"},
+      {"trace_of_nothing", "trace case.toml --look 0", "--u is required, with --v and --look; see raytube trace --help"},
+      {"trace_without_v", "trace case.toml --look 0 --u 0", "--v is required, with --u and --look; see raytube trace --help"},
       {"trace_of_all_without_v", "trace case.toml --look 0 --all --u 0", "--v is required, with --u and --look; see"},
       {"trace_of_all_beyond", "trace case.toml --look 7 --all", "1 direction pair"},
       {"trace_of_all_edge_on", "trace case.toml --look 0 --all --set look.theta_deg=90",
@@ -336,7 +338,7 @@ std::vector<BadRow> command_rows() {
       {"trace_of_rays_switched_off", "trace case.toml --look 0 --surface-rays rays.vtp --set surfaces.waves=false",
        "no waves over curved surfaces: surfaces.waves is false; leave"},
       {"converge_two_densities", "converge case.toml --densities 4,8",
-       "an order needs three different densities or more, for example"},
+       "at least three different densities are needed; write for example"},
       {"converge_no_densities", "converge case.toml --densities ''", "--densities : write tubes per wavelength"},
       {"converge_density_nan", "converge case.toml --densities 4,nan,16", "--densities 4,nan,16: write tubes per wavelength"},
       {"converge_density_1e300", "converge case.toml --densities 4,8,1e300", "1e+300 tubes per wavelength are more than 10^6"},
@@ -379,7 +381,7 @@ std::vector<BadRow> sources_rows() {
       sources("sources_box_1e300", "scene.box_m=[[-1e300,-2,-2],[1e300,2,2]]", "scene.box_m"),
       sources("sources_counted_unknown", "source.counted=screen",
               "source.counted \"screen\" is not a part of the scene; write plate"),
-      sources("sources_parts_a_word", "scene.parts=plate", "scene.parts must be a list of parts; write [[scene.parts]]"),
+      sources("sources_parts_a_word", "scene.parts=plate", "scene.parts must be a list; write [[scene.parts]]"),
       sources("sources_parts_none", "scene.parts=[]", "no scene; add a [[scene.parts]]"),
       sources("sources_reflections_1e9", "source.max_reflections=1e9",
               "source.max_reflections must be a whole number from 0 to 1000"),

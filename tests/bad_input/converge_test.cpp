@@ -55,8 +55,8 @@ TEST_F(ConvergeProgram, BadInputIsRefused) {
   expect_refused("converge", "case is required");
   expect_refused("converge missing.toml", "missing.toml: no such file");
   expect_refused("converge case.toml --set target.mesh=missing.stl", "missing.stl");
-  expect_refused("converge case.toml --densities 4,8", "--densities 4,8: an order needs three different densities");
-  expect_refused("converge case.toml --densities 4,8,8", "an order needs three different densities");
+  expect_refused("converge case.toml --densities 4,8", "--densities 4,8: at least three different densities");
+  expect_refused("converge case.toml --densities 4,8,8", "at least three different densities");
   expect_refused("converge case.toml --densities 4,eight,16", "--densities 4,eight,16: write tubes per wavelength");
   expect_refused("converge case.toml --densities -4,8,16", "write tubes per wavelength");
   expect_refused("converge case.toml --densities 4,8,1e9",

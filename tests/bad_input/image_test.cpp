@@ -50,14 +50,6 @@ TEST_F(ImageFiles, SeveralLooksAreNumberedAndEarlierImagesGo) {
   for (const char* name : {"image_0.csv", "image_2_mesh.vtu", "image.pvd"}) EXPECT_FALSE(has(name)) << name;
 }
 
-TEST_F(ImageFiles, ASeriesGoesWithoutTheListOfResults) {
-  const std::string looks = "run case.toml --set output.plots=false --set look.theta_deg=[10,20]";
-  EXPECT_EQ(raytube(looks + " --set output.image_look=[0,1]").code, 0);
-  EXPECT_TRUE(fs::remove(scratch / "out/.raytube.results"));
-  EXPECT_EQ(raytube(looks).code, 0);
-  for (const char* name : {"image.pvd", "image_0_mesh.vtu", "image_1.csv"}) EXPECT_FALSE(has(name)) << name;
-}
-
 TEST_F(ImageFiles, WhatCannotBeShownIsRefusedBeforeTheComputation) {
   for (const std::string command : {"run", "check"}) {
     expect_refused(command + " case.toml --set output.image_look=3", "output.image_look 3: the case has 1 direction pair(s)");

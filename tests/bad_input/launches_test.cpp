@@ -28,7 +28,7 @@ TEST_F(Launches, ALoneTaskOfAnArrayIsNotTheWhole) {
   const Outcome outcome = raytube("run case.toml --shard slurm -o shards --quiet", lone);
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.complaint, HasSubstr("--shard 1/1: "));
-  EXPECT_THAT(outcome.complaint, HasSubstr("shard_1_of_2.looks is of another number of shards; write --shard I/N"));
+  EXPECT_THAT(outcome.complaint, HasSubstr("shard_1_of_2.looks belongs to another number of shards; write --shard I/N"));
 }
 
 }  // namespace

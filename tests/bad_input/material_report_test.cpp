@@ -27,8 +27,8 @@ class MaterialReport : public BadInput {
 // A quarter of the power is reflected where R = (1 - 3) / (1 + 3), and by a film of half the impedance of vacuum.
 TEST_F(MaterialReport, HasLevelsAtNormalIncidence) {
   EXPECT_THAT(checked("kind = \"dielectric\"\neps_r = 9\n"),
-              HasSubstr("\nmaterials, at normal incidence and 10 GHz\n  it: 1 triangles, 5e-07 m^2; dielectric, |R| -6.02 dB\n"
-                        "  perfect conductor: 1 triangles, 5e-07 m^2\n\n"));
+              HasSubstr("\nmaterials, at normal incidence and 10 GHz\n  it: 1 triangle, 5e-07 m^2; dielectric, |R| -6.02 dB\n"
+                        "  perfect conductor: 1 triangle, 5e-07 m^2\n\n"));
   EXPECT_THAT(checked("kind = \"sheet\"\nresistance_ohm = 188.36515\n"), HasSubstr("; sheet, |R| -6.02 dB, |T| -6.02 dB\n"));
   EXPECT_THAT(checked("kind = \"coated\"\nthickness_mm = 2\neps_r = 4\n"), HasSubstr("; coated, |R| 0.00 dB\n"));
   EXPECT_THAT(checked("kind = \"absorber\"\n"), HasSubstr("; absorber, |R| -inf dB\n"));
@@ -48,11 +48,11 @@ TEST_F(MaterialReport, TellsSidesOfASheetThatDiffer) {
 
 TEST_F(MaterialReport, NamesWhatNothingIsMadeOf) {
   const std::string more = "kind = \"absorber\"\n[materials.tar]\nkind = \"absorber\"\n[materials.rust]\nkind = \"pec\"\n";
-  EXPECT_THAT(checked(more), HasSubstr(" m^2\n  defined, but named nowhere in [target]: rust, tar\n"));
-  EXPECT_THAT(checked(more, "--set 'target.facets={tar=[0], rust=[1]}'"), HasSubstr("nowhere in [target]: it\n"));
+  EXPECT_THAT(checked(more), HasSubstr(" m^2\n  defined, but not used in [target]: rust, tar\n"));
+  EXPECT_THAT(checked(more, "--set 'target.facets={tar=[0], rust=[1]}'"), HasSubstr("not used in [target]: it\n"));
   EXPECT_THAT(
       checked(more, "--set 'target.facets={rust=[1]}'"),
-      HasSubstr("\nmaterials\n  perfect conductor: 2 triangles, 1e-06 m^2\n  defined, but named nowhere in [target]: it, tar\n"));
+      HasSubstr("\nmaterials\n  perfect conductor: 2 triangles, 1e-06 m^2\n  defined, but not used in [target]: it, tar\n"));
   EXPECT_THAT(checked("kind = \"absorber\"\n"), Not(HasSubstr("nowhere")));
   scratch.write("case.toml", good_case);
   EXPECT_EQ(raytube("check case.toml").code, 0);
@@ -64,7 +64,7 @@ TEST_F(MaterialReport, SaysWhatEdgesOfMaterialsAdd) {
   EXPECT_THAT(checked(keys, "--set edges.materials=none"), HasSubstr(wedges + "nothing (edges.materials = \"none\")\n"));
   EXPECT_THAT(checked(keys), HasSubstr("  2 with a face that is not a perfect conductor have edge currents of their own\n"));
   EXPECT_THAT(checked("kind = \"sheet\"\neps_r = 9\nthickness_mm = 90\n"),
-              HasSubstr(" add nothing (their currents are not known, as of "));
+              HasSubstr(" add nothing (their currents are unknown, for example those of "));
   EXPECT_THAT(checked(keys, "--set edges.method=none"), Not(HasSubstr("not a perfect conductor add")));
   EXPECT_THAT(checked(keys, "--set 'target.facets={pec=[0]}'"), Not(HasSubstr("not a perfect conductor add")));
 }
@@ -74,7 +74,7 @@ TEST_F(MaterialReport, ABodyOfSheetsIsClosedButLetsWavesPass) {
                 "OFF\n8 6 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n"
                 "4 0 4 6 2\n4 1 3 7 5\n");
   EXPECT_THAT(checked("kind = \"sheet\"\nresistance_ohm = 9\n"),
-              HasSubstr("  component 0: closed, but partly of sheets: seen from both sides, 12 triangles\n"));
+              HasSubstr("  component 0: closed, but partly made of sheets: seen from both sides, 12 triangles\n"));
   EXPECT_THAT(checked("kind = \"absorber\"\n"), HasSubstr("  component 0: closed, 12 triangles\n"));
 }
 
@@ -107,8 +107,8 @@ TEST_F(MaterialReport, TellsOfFacetsLeftOutForOthers) {
   const std::string twice = "run case.toml --quiet --set target.unit=m --set 'target.mesh=[\"mesh.off\",\"b.off\"]'" + no_plots;
   scratch.write("b.off", plate);
   EXPECT_EQ(raytube(twice + " --set 'target.parts.\"b.off\"=absorber'").complaint,
-            "raytube: mesh.off, b.off: 2 facets are left out, as others with the same corners come before them, but are made of "
-            "another material; write kind = \"coated\" for a layer on a conductor, or leave one of the two out of the mesh\n");
+            "raytube: mesh.off, b.off: 2 facets are ignored: earlier ones with the same corners are made of another "
+            "material; write kind = \"coated\" for a layer on a conductor, or leave one of the two out of the mesh\n");
   EXPECT_EQ(raytube(twice).complaint, "");
 }
 

@@ -222,7 +222,8 @@ std::vector<BadRow> file_rows() {
       with_file("mesh_of_another_program", "bad.step", "ISO-10303-21;", run_with("bad.step"),
                 "is a STEP model; export its surface as STL, OBJ or PLY, or mesh it with a size of your choice: gmsh in.step"),
       with_file("mesh_of_unknown_ending", "bad.dat", "1 2 3", run_with("bad.dat"),
-                "the ending '.dat' is not a known mesh format; use .stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf, or one of these and .gz"),
+                "the ending '.dat' is not a known mesh format; use .stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf, or one of "
+                "these and .gz"),
       {"mesh_in_kilometres", "run case.toml --set target.unit=km", "target.unit \"km\" is unknown; write \"m\", \"cm\""},
   };
 }

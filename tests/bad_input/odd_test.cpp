@@ -45,7 +45,7 @@ TEST_F(OddInput, MeshWithFreeFormsTellsThatTheyAreLeftOut) {
   expect_same("run" + mesh);
   EXPECT_THAT(text_of(scratch / "odd/run.json"), ::testing::HasSubstr("\"free_forms_read\": 2,"));
   EXPECT_EQ(raytube("check" + mesh).code, 0);
-  EXPECT_THAT(text_of(scratch / "stdout.txt"), ::testing::HasSubstr("curves and surfaces of free form left out"));
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), ::testing::HasSubstr("free-form curves and surfaces were ignored"));
 }
 
 // Line ends and zeros that fill a block are not taken for facets.

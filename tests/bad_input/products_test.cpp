@@ -7,6 +7,7 @@ namespace {
 using namespace raytube::testing;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Products : public BadInput {
  protected:
@@ -25,12 +26,13 @@ TEST_F(Products, OfAResultAndOfItsCaseAreTheSame) {
   EXPECT_EQ(profile.code, 0);
   EXPECT_THAT(text_of(scratch / "stdout.txt"), AllOf(HasSubstr("resolution"), HasSubstr("peak"), HasSubstr("profile.csv")));
   EXPECT_EQ(raytube("profile case.toml -o b --quiet " + sweep).code, 0);
-  EXPECT_TRUE(std::filesystem::exists(scratch / "b/rcs.nc"));
+  EXPECT_TRUE(text_of(scratch / "b/rcs.csv") == text_of(scratch / "kept/rcs.csv"));
   EXPECT_TRUE(std::filesystem::exists(scratch / "b/waterfall.png"));
   EXPECT_TRUE(text_of(scratch / "a/profile.csv") == text_of(scratch / "b/profile.csv"));
-  EXPECT_EQ(raytube("isar b/rcs.nc -o b --quiet --size 0.3 0.3 --threads 1").code, 0);
+  EXPECT_EQ(raytube("isar b -o b --quiet --size 0.3 0.3 --threads 1").code, 0);
   std::filesystem::copy_file(scratch / "kept/rcs.csv", scratch / "bare.csv");  // where nothing is known of the target, either
-  EXPECT_EQ(raytube("isar bare.csv -o a --quiet --size 0.3 0.3 --threads 2").code, 0);
+  EXPECT_EQ(raytube("isar bare.csv -o a --quiet --size 0.3 0.3").code, 0);
+  EXPECT_EQ(raytube("isar kept/rcs.csv -o a --quiet --size 0.3 0.3 --threads 2").code, 0);
   EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv"));
   EXPECT_THAT(text_of(scratch / "a/isar.vti"), HasSubstr("<ImageData WholeExtent="));
 }
@@ -49,7 +51,7 @@ TEST_F(Products, OneNetcdfFileStandsAlone) {
   EXPECT_EQ(raytube("isar case.toml -o both --quiet --direct " + sweep).code, 0);
   EXPECT_FALSE(std::filesystem::exists(scratch / "both/isar.nc")) << "of another image than isar.csv";
   expect_refused("profile kept/rcs.csv -o p.csv", "profile.csv among them, or one netCDF file; write -o DIR or -o p.nc");
-  expect_refused("plot one/p.nc", "give a netCDF file that raytube run or raytube convert has written");
+  expect_refused("compare one/p.nc kept/rcs.csv", "give a netCDF file that raytube run or raytube convert has written");
   ASSERT_EQ(raytube("convert kept/rcs.csv rcs.nc").code, 0);
   expect_refused("profile rcs.nc -o rcs.nc", "rcs.nc");
 }
@@ -86,10 +88,11 @@ TEST_F(Products, AnImageIsAboutTheTarget) {
 
 TEST_F(Products, WhatWouldTakeTooLongIsRefusedFirst) {
   expect_refused("isar case.toml " + sweep + " --set look.theta_deg=0", "at theta 0 degrees azimuth does not turn the target");
-  expect_refused("isar case.toml " + sweep + " --size 1e4 1e4", "an image of");
+  expect_refused("isar case.toml --size 1x1x1 --pixels 32 " + sweep + " --set 'look.theta_deg={start=58,stop=62,count=9}'",
+                 "an image of");
   expect_refused("isar --plan 1e6 0.1", "ask for a coarser resolution");
   expect_refused("isar --plan 5 0.1 --direct", "--direct: means nothing with --plan");
-  expect_refused("isar case.toml --direct --mechanisms surface_waves " + sweep,
+  expect_refused("isar case.toml --quiet --direct --mechanisms surface_waves " + sweep,
                  "--mechanisms surface_waves: add nothing in look 5");
   expect_refused("report case.toml", "case.toml: is a case, not a result");
 }
@@ -107,8 +110,28 @@ TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("isar kept/rcs.csv --direct", "kept/rcs.csv is no case (.toml); only a case says where its S comes from");
   expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
   expect_refused("isar case.toml --direct --mechanisms bounce_4", "needs bounce_1, bounce_2, bounce_3_on, edges, interaction");
-  expect_refused("isar kept/rcs.csv --size 1e5 1e5", "an image of");
+  expect_refused("isar kept/rcs.csv --size 20 1", "the image asked for is 20 m wide along range, but steps of 100 MHz show 1.");
+  expect_refused("isar kept --size 8", "--size: needs two lengths in metres, or three of an image in space (found 8)");
+  expect_refused("isar kept --size 8x", "or three of an image in space, such as 8x8 (found 8x)");
+  expect_refused("isar kept --size 1 1 kept", "or three of an image in space, such as 8x8 (found kept)");
+  expect_refused("isar kept --resume", "--resume: nothing is solved of kept/rcs.csv");
+  expect_refused("isar .", "holds neither rcs.nc nor rcs.csv");
   expect_refused("isar kept/rcs.csv --size 0.3 0.3 0.3", "--size: an image over one angle is in a plane and has no height");
+}
+
+TEST_F(Products, SizesAreWrittenInSeveralWays) {
+  ASSERT_EQ(raytube("isar kept -o a --quiet --size 0.3 0.4").code, 0);
+  for (const char* words : {"--size 0.3x0.4 kept", "--size 0.3 0.4 kept", "--size 0.3,0.4 kept", "kept --size 0.3x0.4"}) {
+    ASSERT_EQ(raytube(std::string("isar -o b --quiet ") + words).code, 0) << words;
+    EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv")) << words;
+  }
+}
+
+TEST_F(Products, AFolderOfARunIsAResult) {
+  EXPECT_EQ(raytube("compare kept kept/rcs.csv --tolerance-relative 0").code, 0);
+  EXPECT_EQ(raytube("convert kept there.nc").code, 0);
+  EXPECT_EQ(raytube("profile kept --quiet").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "kept/profile.csv"));
 }
 
 TEST_F(Products, ALookThatIsThereTwiceIsTold) {
@@ -117,25 +140,18 @@ TEST_F(Products, ALookThatIsThereTwiceIsTold) {
   EXPECT_THAT(twice.complaint, HasSubstr("look 2 (theta 60, phi 0) has the directions of look 0; both are shown\n"));
 }
 
-// gnuplot leaves out a label for which there is no room.
-TEST_F(Products, PicturesNameWhatTheyShow) {
-  EXPECT_EQ(
-      raytube("profile case.toml -o a --quiet " + sweep + " --set 'look.phi_deg={start=-42.004,stop=-42.001,count=13}'").code, 0);
-  const std::string waterfall = text_of(scratch / "a/waterfall.svg"), label = "<text>φ (°)</text>";
-  EXPECT_NE(waterfall.find(label), waterfall.rfind(label)) << "one of the two panels lacks it";
-  EXPECT_THAT(text_of(scratch / "a/profile.svg"), AllOf(HasSubstr("<text>VV</text>"), HasSubstr("VH &lt; -")));
-  std::filesystem::copy_file(scratch / "kept/rcs.csv", scratch / "bare.csv");
-  EXPECT_EQ(raytube("profile bare.csv -o b --quiet").code, 0);
-  EXPECT_THAT(text_of(scratch / "b/profile.svg"), HasSubstr("<text>bare.csv</text>"));
-}
-
 TEST_F(Products, OneLookMakesAnImageByItself) {
-  const std::string options = " --direct --quiet --size 2 2 ";
+  const std::string options = " --direct --quiet --size 1.4x1.4 ";
   EXPECT_EQ(raytube("isar case.toml -o a" + options + sweep + " --threads 1").code, 0);
   EXPECT_EQ(raytube("isar case.toml -o b" + options + sweep + " --threads 2").code, 0);
   EXPECT_TRUE(text_of(scratch / "a/isar.csv") == text_of(scratch / "b/isar.csv"));
   EXPECT_FALSE(std::filesystem::exists(scratch / "a/rcs.nc"));
   expect_refused("isar case.toml --direct " + sweep + " --set radar.range_m=100", "the pieces seen from a finite distance");
+  const Outcome profile = raytube("profile case.toml -o c --direct " + sweep);
+  EXPECT_THAT(profile.complaint, HasSubstr("look 5 at 10 GHz"));
+  const std::string table = text_of(scratch / "c/profile.csv");
+  EXPECT_THAT(table, HasSubstr("\n60,0,60,0,"));
+  EXPECT_THAT(table, Not(HasSubstr("\n60,0.5,")));
 }
 
 TEST_F(Products, CentresAreThoseOfOneLook) {

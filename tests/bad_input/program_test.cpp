@@ -49,9 +49,8 @@ TEST_F(BadInput, SeveralMeshFilesAndMaterials) {
       "case.toml --set 'target.mesh=[\"mesh.off\", \"tile.off\"]' --set materials.glass.kind=dielectric "
       "--set materials.glass.table_csv=glass.csv --set 'target.parts.\"tile.off\"=glass' --set output.plots=false";
   EXPECT_EQ(raytube("check " + tiled).code, 0);
-  EXPECT_THAT(text_of(scratch / "stdout.txt"),
-              AllOf(HasSubstr("mesh.off, tile.off, one unit is"), HasSubstr("glass: 1 triangles"),
-                    HasSubstr("perfect conductor: 2 triangles")));
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), AllOf(HasSubstr("mesh.off, tile.off, one unit is"), HasSubstr("glass: 1 triangle"),
+                                                     HasSubstr("perfect conductor: 2 triangles")));
   EXPECT_EQ(raytube("trace " + tiled + " --look 0 --u 0 --v 0").code, 0);
   EXPECT_EQ(raytube("run " + tiled).code, 0);
   const auto json = nlohmann::json::parse(text_of(scratch / "out/run.json"));
@@ -62,7 +61,7 @@ TEST_F(BadInput, SeveralMeshFilesAndMaterials) {
 
 TEST_F(BadInput, WedgeList) {
   expect_refused("check case.toml --wedges missing/wedges.csv", "--wedges missing/wedges.csv: cannot be written");
-  expect_refused("check case.toml --wedges .", "--wedges .: cannot be written");
+  expect_refused("check case.toml --wedges .", "--wedges .: a list of wedges");
 }
 
 TEST_F(BadInput, RaysInThePlaceOfCurrentsNameTheirRange) {
@@ -97,7 +96,7 @@ TEST_F(BadInput, CaseFile) {
 
 TEST_F(BadInput, Values) {
   expect_refused("run case.toml --set frequency.ghz=-1", "frequency.ghz must be greater than 0");
-  expect_refused("run case.toml --set tubes.per_wavelength=0", "tubes.per_wavelength must be greater than 0");
+  expect_refused("run case.toml --set tubes.per_wavelength=0", "tubes.per_wavelength must be at least 0.001");
   expect_refused("run case.toml --set tubes.mode=uniform --set tubes.per_wavelength=1e12", "tubes.per_wavelength");
   expect_refused("run case.toml --set tubes.max_bounces=many", "tubes.max_bounces must be a number");
   expect_refused("run case.toml --set 'look.phi_deg={start=0,stop=1,step=-1}'", "write step = 1");
@@ -158,10 +157,9 @@ TEST_F(BadInput, ATerminationRequestEndsAsCtrlCDoes) {
 }
 
 TEST_F(BadInput, CommandLine) {
-  expect_refused("", "no command");
   expect_refused("fly", "unknown command \"fly\"");
   expect_refused("--verbose", "unknown");
-  expect_refused("run", "raytube --help");
+  expect_refused("run", "raytube run --help");
   expect_refused("run case.toml more.toml", "more.toml");
   expect_refused("run case.toml --bogus", "--bogus");
   expect_refused("run case.toml --threads 0", "--threads");

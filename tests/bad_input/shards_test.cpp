@@ -70,15 +70,15 @@ TEST_F(Shards, OneIsOfAnotherNumber) {
   EXPECT_EQ(shard_of(sweep, "1/4").code, 2);
   ASSERT_EQ(raytube("run " + sweep + "-o elsewhere --shard 1/4").code, 0);
   fs::copy(scratch / "elsewhere/shard_1_of_4.looks", file(1, 4));
-  expect_no_merge("merge those of one number alone");
+  expect_no_merge("belong to different runs");
 }
 
 TEST_F(Shards, OneIsCutShort) {
   const std::string whole = text_of(file(2));
   fs::resize_file(file(2), 20);
-  expect_no_merge("is cut short, or no shard");
+  expect_no_merge("is truncated, or not a shard");
   scratch.write("shards/shard_2_of_3.looks", whole.substr(0, whole.size() - 10));
-  expect_no_merge("holds 1 of its 2 looks: it was stopped, is still at work, or is cut short; run shard 2/3 again");
+  expect_no_merge("holds 1 of its 2 looks: it was interrupted, is still running, or is truncated; run shard 2/3 again");
   ASSERT_EQ(shard_of(sweep, "2/3").code, 0);  // goes on from there
   EXPECT_EQ(text_of(file(2)), whole);
   EXPECT_EQ(raytube("merge shards --quiet").code, 0);
@@ -124,7 +124,7 @@ TEST_F(Shards, WrongOptions) {
   expect_refused("run case.toml --shard slurm", "SLURM_ARRAY_TASK_ID is not set");
   expect_refused("run case.toml --shard 1/2 --parts", "give it to raytube merge");
   expect_refused("run case.toml --shard 1/2 --launch random", "leave out --shard or --launch random");
-  expect_refused("run case.toml --shard 1/2 -o x.nc", "a shard is a part of a result");
+  expect_refused("run case.toml --shard 1/2 -o x.nc", "a shard is only part of a result");
 }
 
 TEST_F(Shards, TasksOfAJobArray) {
@@ -142,7 +142,7 @@ TEST_F(Shards, TasksOfAJobArray) {
 // A file size limit stands for a full disk.
 TEST_F(Shards, AFullDiskIsAnError) {
   const Outcome outcome = raytube("run " + sweep + "-o full --shard 1/2", "ulimit -f 1; ");
-  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.complaint, HasSubstr("File too large"));
 }
 

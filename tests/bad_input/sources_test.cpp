@@ -22,9 +22,9 @@ class SourcesProgram : public BadInput {
 TEST_F(SourcesProgram, WritesTablePicturesAndPoints) {
   EXPECT_EQ(raytube("sources case.toml --threads 1").code, 0);
   for (const char* name :
-       {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg", "hits.ply", "sources.csv"})
+       {"launch.png", "launch.svg", "hits.png", "hits.svg", "sources.png", "sources.svg", "hits.ply", "launch.ply", "sources.csv"})
     EXPECT_TRUE(fs::exists(scratch / "out" / name)) << name;
-  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 9);  // with their list
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch / "out"), {}), 10);  // with their list
   const std::string table = text_of(scratch / "out/sources.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 6 + 1 + 12);  // meanings, header, six models of two counts
   EXPECT_THAT(table, HasSubstr("\n0,0.5,0.5,1,octahedron,1000,512,plate,"));

@@ -1,4 +1,4 @@
-// Rows beyond their bound end in exit code 1, with the results written and the rows named. No sound solve has any: here finished
+// Rows beyond their bound end in exit code 4, with the results written and the rows named. No sound solve has any: here finished
 // looks that a stopped run has left are made larger than their target allows, and taken up again.
 #include <functional>
 #include <limits>
@@ -46,7 +46,7 @@ class UnusableRows : public BadInput {
 
   void expect_told(const std::string& sentence) const {
     const Outcome outcome = raytube("run " + minutes + "--resume");
-    EXPECT_EQ(outcome.code, 1) << outcome.complaint;
+    EXPECT_EQ(outcome.code, 4) << outcome.complaint;
     EXPECT_THAT(outcome.complaint, HasSubstr("the first bounce: 1 row " + sentence));
     EXPECT_THAT(outcome.complaint,
                 HasSubstr("out: the results are written, but hold rows that must not be used, as said above\n"));

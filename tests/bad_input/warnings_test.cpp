@@ -25,8 +25,8 @@ class Warnings : public BadInput {
 
 TEST_F(Warnings, ATargetUnderThreeWavelengths) {
   const std::string sentence =
-      "validity: the target's largest extent, 1.414 mm, is 0.047 wavelengths at 10 GHz, and the methods require 3; below 636 GHz "
-      "treat results as approximate, or use a full-wave program";
+      "validity: the target's largest extent, 1.414 mm, is 0.047 wavelengths at 10 GHz, and the methods require 3; "
+      "check target.unit, which is \"mm\"; below 636 GHz treat results as approximate, or use a full-wave program";
   EXPECT_EQ(raytube("check case.toml").code, 0);
   EXPECT_THAT(output(), HasSubstr("\nwarnings\n  " + sentence + "\n"));
   const Outcome outcome = raytube("run case.toml --set output.plots=false");
@@ -170,8 +170,7 @@ TEST_F(Warnings, EdgeKeysOfTheFileAreToldWithTheirLine) {
 TEST_F(Warnings, ConvergeMakesNoImages) {
   const std::string words = "converge case.toml --quiet --densities 2,3,4" + metres;
   EXPECT_EQ(raytube(words + "--set output.image_look=0").complaint,
-            "raytube: case.toml: output.image_look has no effect here: a study of density makes no images; use raytube run for "
-            "them\n");
+            "raytube: case.toml: output.image_look has no effect here; use raytube run for images\n");
 }
 
 TEST_F(Warnings, TruncatedTubesAreTold) {

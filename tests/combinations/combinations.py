@@ -30,9 +30,9 @@ REASONS = {  # as the program words them
     "e": 'edges.method "utd" adds up rays|"utd" has no tubes|needs currents, but edges.method|edges.method is "utd"',
     "f": 'edges.method is "none"|need edge currents',
     "g": "the others see facets|facets are the surface itself",
-    "h": "so that powers do not add up",
+    "h": "so powers do not add up",
     "j": "kind \"solid\"",
-    "i": "do not add up what roughness scatters",
+    "i": "do not add up what roughness scatters|incoherent power is not computed",
 }
 
 

@@ -172,19 +172,19 @@ def fine_grid(solver, settings):
     return same("adaptive tubes", solver, settings, facets, 0.06)
 
 
-def parts_of(solver, settings):
-    """The names of the parts that are not zero in every row."""
+def mechanisms_of(solver, settings):
+    """The names of the mechanisms that are not zero in every row."""
     rows = table(solver.run(settings, "--parts") / "parts.csv")
     names = [name for name in rows[0] if name.startswith("re_")]
     return {name.split("_", 2)[2] for name in names if any(float(row[name]) != 0.0 for row in rows)}
 
 
 def one_order(solver, settings):
-    return "there is a second order" if "edges_second_order" in parts_of(solver, settings) else None
+    return "there is a second order" if "edges_order_2_on" in mechanisms_of(solver, settings) else None
 
 
 def no_edges(solver, settings):
-    other = sorted(name for name in parts_of(solver, settings) if not name.startswith("bounce"))
+    other = sorted(name for name in mechanisms_of(solver, settings) if not name.startswith("bounce"))
     return f"edges.method none has {other}" if other else None
 
 
@@ -248,6 +248,6 @@ PHYSICS = [
     Feature("edges, utd", {"edges.method": "utd", "edges.utd_range_m": 100.0}, reciprocal, ("edges",)),
     Feature("edges of materials", {**part("coat", kind="coated", thickness_mm=3.0, eps_r=[4.0, 0.1]), "edges.materials": "fringe"},
             edges_of_materials, ("edges",)),
-    Feature("between", {"edges.between": True}, ran("edges.between")),
+    Feature("interaction", {"edges.between": True}, ran("edges.between")),
     Feature("waves", {"target.mesh": ["ball.obj"], "surfaces.waves": True}, ran("surfaces.waves")),
 ]

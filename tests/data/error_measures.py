@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Error measures of tests/unit/output_error_measures_test.cpp (MeasuredErrors.AgreeWithNumpy), by numpy: /usr/bin/python3 tests/data/error_measures.py
+"""Error measures of tests/unit/output/error_measures_test.cpp (MeasuredErrors.AgreeWithNumpy), by numpy: /usr/bin/python3 tests/data/error_measures.py
 
 The curves: 181 looks, x = 0 ... 45 degrees. Reference lobes under an envelope, with one exact zero; the result has the same lobes shifted by
 0.3 degrees to larger x, 3 % more level, a phase error and a weak background."""

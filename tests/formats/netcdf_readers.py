@@ -34,7 +34,7 @@ netcdf = true
 """
 UNITS = {"frequency": "Hz", "theta_deg": "degree", "phi_deg": "degree", "rx_theta_deg": "degree", "rx_phi_deg": "degree",
          "S_re": "m", "S_im": "m", "sigma_dbsm": "dBsm", "err_db": "dB", "model_db": "dB", "error_m": "m", "model_m": "m",
-         "S_part_re": "m", "S_part_im": "m", "model_part_m": "m"}
+         "S_mechanism_re": "m", "S_mechanism_im": "m", "model_part_m": "m"}
 CONVENTIONS = {"time_convention": "exp(+j omega t)", "phase_reference": "origin", "amplitude_convention": "4 pi |S|^2",
                "polarisation_convention": "theta-hat", "direction_convention": "from +z", "conventions": "# Time factor",
                "geometry": "monostatic", "title": "plate of 90 × 60 mm"}
@@ -80,10 +80,10 @@ def check_xarray(out, rows):
                 same(np.repeat(data[key].values, 2), rows[key], f"{engine} {key}")
             same(np.tile(data.frequency.values, 6), rows["freq_hz"], f"{engine} freq_hz")
             assert np.isneginf(data.sigma_dbsm.values).any(), "a plate seen from its edge returns nothing"
-            parts = [str(x) for x in data.part.values]
-            assert parts[0] == "bounce1" and "edges_first_order" in parts, parts
-            difference = np.abs(data.S_part_re.sum("part") - data.S_re).max()
-            assert difference <= 1e-15 * np.abs(data.S_re).max(), "parts add up to S"  # rounding of a sum
+            mechanisms = [str(x) for x in data.mechanism.values]
+            assert mechanisms[0] == "bounce_1" and "edges_order_1" in mechanisms, mechanisms
+            difference = np.abs(data.S_mechanism_re.sum("mechanism") - data.S_re).max()
+            assert difference <= 1e-15 * np.abs(data.S_re).max(), "mechanisms add up to S"  # rounding of a sum
 
 
 def check_attributes(out):

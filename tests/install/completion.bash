@@ -28,7 +28,7 @@ touch case.toml result.csv result.nc mesh.stl
 mkdir cases
 
 expect "run" raytube ru
-expect "check compare converge convert centres" raytube c
+expect "converge centres check compare convert" raytube c
 expect "merge" raytube m
 expect "--version" raytube --v
 expect "cases case.toml" raytube run ca
@@ -41,7 +41,7 @@ expect "edges.order=" raytube run --set edges.or
 expect "" raytube run --set edges.order = ca        # a value
 expect "result.csv result.nc" raytube compare result.csv res
 expect "" raytube compare result.csv result.nc res
-expect "auto curves map polar" raytube plot result.csv --kind ""
+expect "auto curves map polar sphere waterfall" raytube plot result.csv --kind ""
 expect "cases" raytube merge ca                     # a folder of shards
 expect "case.toml" raytube merge cases case.
 expect "cases" raytube statistics result.csv -o ca

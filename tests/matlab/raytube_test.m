@@ -1,5 +1,5 @@
 % Reads what raytube has written, by netCDF and by table, and draws it. Run by run.py in Octave, in a folder that holds
-% far/rcs.nc, far/rcs.csv (a sweep of frequencies with parts) and near/rcs.nc, near/rcs.csv (bistatic, at a finite distance).
+% far/rcs.nc, far/rcs.csv (a sweep of frequencies with mechanisms) and near/rcs.nc, near/rcs.csv (bistatic, at a finite distance).
 % Numbers must be equal to the last bit: both files say the same doubles.
 function raytube_test()
   for folder = {'far', 'near'}
@@ -15,7 +15,7 @@ function raytube_test()
     require(max(abs(difference(:))) < 1e-9, 'sigma is that of S');  % rounding of a logarithm
   end
   test_shape();
-  test_parts();
+  test_mechanisms();
   test_errors();
   fprintf('read\n');
   test_plots();
@@ -40,14 +40,14 @@ function test_shape()
   require(strcmp(near.attributes.geometry, 'bistatic'), 'bistatic');
 end
 
-function test_parts()
+function test_mechanisms()
   result = raytube_read('far/rcs.nc');
-  sum_of_parts = zeros(size(result.S));
-  for name = fieldnames(result.part)'
-    sum_of_parts = sum_of_parts + result.part.(name{1});
+  sum_of_mechanisms = zeros(size(result.S));
+  for name = fieldnames(result.mechanism)'
+    sum_of_mechanisms = sum_of_mechanisms + result.mechanism.(name{1});
   end
-  difference = norm(sum_of_parts(:) - result.S(:)) / norm(result.S(:));
-  require(difference < 1e-14, 'parts add up to S');  % rounding of a sum of a few terms
+  difference = norm(sum_of_mechanisms(:) - result.S(:)) / norm(result.S(:));
+  require(difference < 1e-14, 'mechanisms add up to S');  % rounding of a sum of a few terms
   require(isfield(result, 'model_part') && isfield(result, 'model_m'), 'the model uncertainty');
 end
 

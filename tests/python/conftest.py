@@ -45,4 +45,4 @@ def sphere():
 def sweep(dihedral):
     """Looks and frequencies, with parts."""
     looks = rt.monostatic(theta_deg=[80, 90], phi_deg=np.arange(0, 46, 15))
-    return rt.solve(dihedral, [9.0, 10.0, 11.0], looks, edges={"order": 1}, title="dihedral", keep_parts=True)
+    return rt.solve(dihedral, [9.0, 10.0, 11.0], looks, edges={"order": 1}, title="dihedral", keep_mechanisms=True)

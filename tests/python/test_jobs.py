@@ -27,7 +27,7 @@ def test_check_is_what_the_program_prints(program):
 def test_check_of_a_target(dihedral):
     report = rt.check(dihedral, 10.0, rt.monostatic(90, [0, 10]), edges={"order": 1})
     assert report["case"]["edges"]["order"] == 1 and report["looks_computed"] == 2
-    assert report == rt.check(dihedral, ghz=10.0, looks=rt.monostatic(90, [0, 10]), edges={"order": 1}) | {"time": report["time"], "memory_bytes": report["memory_bytes"]}
+    assert report == rt.check(dihedral, ghz=10.0, looks=rt.monostatic(90, [0, 10]), edges={"order": 1}) | {"time": report["time"], "memory_bytes": report["memory_bytes"], "memory": report["memory"]}
 
 
 def test_converge_is_the_table_of_the_program(program, tmp_path):

@@ -77,13 +77,13 @@ def mpirun():
 @pytest.mark.parametrize("ranks", [1, 2, 3])
 def test_ranks_write_the_bytes_of_one_process(ranks, mpirun, tmp_path):
     mpirun(ranks, """
-        result = rt.run(trihedral, keep_parts=True, comm=comm)
+        result = rt.run(trihedral, keep_mechanisms=True, comm=comm)
         assert (result is None) == (comm.rank > 0)
         if result is not None:
             result.save(sys.argv[1])
         check_next()
     """, tmp_path / "ranks.nc")
-    rt.run(CASES / "trihedral/case.toml", keep_parts=True).save(tmp_path / "one.nc")
+    rt.run(CASES / "trihedral/case.toml", keep_mechanisms=True).save(tmp_path / "one.nc")
     assert (tmp_path / "ranks.nc").read_bytes() == (tmp_path / "one.nc").read_bytes()
 
 

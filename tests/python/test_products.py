@@ -117,8 +117,8 @@ def test_netcdf_files_hold_the_same(solved, program, tmp_path):
                     np.testing.assert_allclose(one[level], other[level], rtol=1e-13)  # two libraries' logarithms
             for axis in set(made.coords) - {"channel"}:
                 assert np.array_equal(file[axis], made[axis]) and file[axis].attrs["units"] == made[axis].attrs["units"], axis
-            for key, value in made.attrs.items():
-                assert np.array_equal(file.attrs[key], value), key
+            for key in set(made.attrs) - {"frequency_hz", "theta_deg", "phi_deg"}:  # of the sweep, for headings of pictures
+                assert np.array_equal(file.attrs[key], made.attrs[key]), key
             assert file.attrs["geometry"] == "monostatic" and "4 pi |S|^2" in file.attrs["amplitude_convention"]
 
 
@@ -210,7 +210,7 @@ def test_other_processes(solved):
     (lambda plane, space: plane.waterfall(padding=0), "padding: give a whole number from 1 to 64"),
     (lambda plane, space: plane.isar(size=(1, 2, 3)), "size: give a positive length in metres, or 2 of them along range, cross-range"),
     (lambda plane, space: plane.isar(size=-1), "size: give a positive length"),
-    (lambda plane, space: plane.isar(size=1e5, pixels=32), "the result: an image of .* cells"),
+    (lambda plane, space: plane.isar(size=1e5), r"the result: the image asked for is 1e\+05 m wide along range"),
     (lambda plane, space: plane.isar(pixels=0.5), "pixels: give a number from 1 to 32"),
     (lambda plane, space: plane.isar_3d(), "isar_3d: an image in space needs looks over theta and phi both"),
     (lambda plane, space: space.isar(), "isar: the looks vary in theta and in phi"),

@@ -43,10 +43,10 @@ def test_sigma_is_that_of_S(sweep):
     assert sweep.sigma_dbsm.sel(channel="vh").values[1, 2] == pytest.approx(20 * np.log10(abs(sweep.S.sel(receive="v", transmit="h").values[1, 2])) + 10.99209864, abs=1e-7)
 
 
-def test_parts_add_up(sweep):
-    parts = sweep.parts
-    assert {"bounce1", "bounce2", "edges_first_order"} <= set(parts)
-    total = sum(parts[name].values for name in parts)
+def test_mechanisms_add_up(sweep):
+    mechanisms = sweep.mechanisms
+    assert {"bounce_1", "bounce_2", "edges_order_1"} <= set(mechanisms)
+    total = sum(mechanisms[name].values for name in mechanisms)
     assert np.abs(total - sweep.S.values).max() <= 1e-13 * np.abs(sweep.S.values).max()  # the order of a few sums
 
 
@@ -91,8 +91,8 @@ def test_dataset_and_table_say_the_same(sweep):
 def test_netcdf_keeps_everything(sweep, tmp_path):
     sweep.save(tmp_path / "a.nc")
     again = rt.load(tmp_path / "a.nc")
-    assert again.to_xarray().identical(sweep.to_xarray()) and again.parts.identical(sweep.parts)
-    assert again.case == sweep.case and again.statistics == sweep.statistics and again.skipped == sweep.skipped
+    assert again.to_xarray().identical(sweep.to_xarray()) and again.mechanisms.identical(sweep.mechanisms)
+    assert again.case == sweep.case and again.counts == sweep.counts and again.skipped == sweep.skipped
     assert again.warnings == sweep.warnings and again.model_parts == sweep.model_parts
     again.save(tmp_path / "b.nc")
     assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
@@ -103,7 +103,7 @@ def test_csv_keeps_the_rows(sweep, tmp_path):
     again = rt.load(tmp_path / "a.csv")
     for name in ("S", "sigma_dbsm", "error_db", "model_db"):
         assert np.array_equal(getattr(again, name).values, getattr(sweep, name).values)
-    assert again.case == {} and again.statistics == {} and again.warnings == []
+    assert again.case == {} and again.counts == {} and again.warnings == []
     again.save(tmp_path / "b.csv")
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
 
@@ -157,7 +157,7 @@ def test_threads_may_save_to_one_place(sweep, tmp_path):
 def test_what_is_said_of_a_result(sweep, plate):
     assert repr(sweep).startswith("Result: dihedral\n  8 monostatic looks, 3 frequencies from 9 to 11 GHz\n  peak ")
     assert ">Result: dihedral" in sweep._repr_html_()
-    assert sweep.statistics["rays"] > 0 and all({"what", "why"} <= set(entry) for entry in sweep.skipped)
+    assert sweep.counts["rays"] > 0 and all({"what", "why"} <= set(entry) for entry in sweep.skipped)
     assert "1 monostatic look, 10 GHz" in repr(rt.solve(plate, 10.0, rt.monostatic(0, 0)))
 
 

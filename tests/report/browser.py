@@ -75,14 +75,12 @@ class Browser:
             self.events.append(answer)
 
     def open(self, path):
-        """Seconds until the page has loaded and painted."""
-        start = time.monotonic()
+        """Returns once the page has loaded and painted."""
         self.events.clear()
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
         while not any(event.get("method") == "Page.loadEventFired" for event in self.events):
             self.events.append(self.message(120))
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-        return time.monotonic() - start
 
     def evaluate(self, script):
         result = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)

@@ -16,34 +16,43 @@ namespace raytube {
 
 namespace {
 
-const std::vector<std::string> look_columns = {"theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"};
+using Columns = std::vector<std::string>;
+
+const Columns look_columns = {"theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"};
+const Columns azimuth_columns = {"azimuth_deg", "elevation_deg", "rx_azimuth_deg", "rx_elevation_deg"};
+
+bool are_columns(const Columns& names, const Columns& known) {
+  return (names.size() == 2 || names.size() == 4) && std::equal(names.begin(), names.end(), known.begin());
+}
 
 void check_header(const CsvReader& reader) {
-  const std::vector<std::string>& names = reader.columns();
-  if ((names.size() != 2 && names.size() != 4) || !std::equal(names.begin(), names.end(), look_columns.begin()))
+  if (!are_columns(reader.columns(), look_columns) && !are_columns(reader.columns(), azimuth_columns))
     throw InputError(
-        fmt::format("{}: the header must be \"theta_deg,phi_deg\" or \"{}\"", reader.location(), joined(look_columns, ",")));
+        fmt::format("{}: the header must be \"theta_deg,phi_deg\" or \"azimuth_deg,elevation_deg\", with a receiver "
+                    "\"{}\" or \"{}\"",
+                    reader.location(), joined(look_columns, ","), joined(azimuth_columns, ",")));
 }
 
-double angle(const CsvReader& reader, std::size_t column) {
-  return reader.finite_number(column, "write angles in degrees, separated by commas");
-}
-
-void check_angle(double value, std::size_t column, const std::string& location) {
-  if (const std::string sentence = unresolved_angle(look_columns[column], value); !sentence.empty())
+void check_angle(double value, const std::string& name, const std::string& location) {
+  if (const std::string sentence = unresolved_angle(name, value); !sentence.empty())
     throw InputError(fmt::format("{}: {}", location, sentence));
 }
 
 // The angles in two columns from this one.
 Direction direction(double theta_deg, double phi_deg, std::size_t column, const std::string& location) {
-  check_angle(theta_deg, column, location);
-  check_angle(phi_deg, column + 1, location);
+  check_angle(theta_deg, look_columns[column], location);
+  check_angle(phi_deg, look_columns[column + 1], location);
   if (theta_deg < 0.0 || theta_deg > 180.0) throw InputError(fmt::format("{}: {}", location, theta_outside("theta", theta_deg)));
   return {(theta_deg + 0.0) * degree, (phi_deg + 0.0) * degree};  // + 0.0: never -0
 }
 
 Direction direction(const CsvReader& reader, std::size_t column) {
-  return direction(angle(reader, column), angle(reader, column + 1), column, reader.location());
+  const auto angle = [&](std::size_t c) { return reader.finite_number(c, "write angles in degrees, separated by commas"); };
+  const double first = angle(column), second = angle(column + 1);
+  if (reader.columns().front() == look_columns.front()) return direction(first, second, column, reader.location());
+  if (std::abs(second) > 90.0)
+    throw InputError(fmt::format("{}: {}", reader.location(), elevation_outside(azimuth_columns[column + 1], second)));
+  return direction(theta_of_elevation(second), first, column, reader.location());
 }
 
 }  // namespace
@@ -70,7 +79,7 @@ std::vector<Look> looks_of_numbers(const LookNumbers& numbers, const std::string
   for (const auto& [theta, phi, rx_theta, rx_phi] : numbers.rows) {
     const std::string where = fmt::format("{}, look {}", location, looks.size());
     for (const double value : {theta, phi, rx_theta, rx_phi})
-      if (!std::isfinite(value)) throw InputError(fmt::format("{}: {} is no angle; give finite degrees", where, value));
+      if (!std::isfinite(value)) throw InputError(fmt::format("{}: {} is not an angle; give finite degrees", where, value));
     const Direction transmit = direction(theta, phi, 0, where);
     looks.push_back({transmit, numbers.bistatic ? direction(rx_theta, rx_phi, 2, where) : transmit});
   }

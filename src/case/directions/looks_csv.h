@@ -10,8 +10,9 @@
 
 namespace raytube {
 
-/// Looks of a CSV file with the header theta_deg,phi_deg or theta_deg,phi_deg,rx_theta_deg,rx_phi_deg; '#' starts a comment
-/// line. Sets `bistatic` when receive angles are given. Throws InputError with the line.
+/// Looks of a CSV file with the header theta_deg,phi_deg[,rx_theta_deg,rx_phi_deg] or
+/// azimuth_deg,elevation_deg[,rx_azimuth_deg,rx_elevation_deg]; '#' starts a comment line. Sets `bistatic` when receive angles
+/// are given. Throws InputError with the line.
 std::vector<Look> read_looks_csv(const std::filesystem::path& file, bool& bistatic);
 
 /// Looks as numbers [deg]: theta, phi to the transmitter, then those to the receiver, equal unless `bistatic`.

@@ -15,14 +15,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double narrowest_beam = 1e-6;  // [deg]: of an antenna of 10^8 wavelengths
-
-double read_distance(const CaseValue& value, const std::string& key) {
-  const double range = read_positive(value, key);
-  if (range > farthest)
-    reject(value, fmt::format("{} must be at most {:g} (found {}); leave out [radar] for the far field", key, farthest, range));
-  return range;
-}
+constexpr Limits a_beamwidth{1e-6, 180.0};  // [deg]; the least is that of an antenna of 10^8 wavelengths
 
 std::vector<dvec3> read_antenna_positions(const CaseValue& value, const std::string& key) {
   const std::vector<dvec3> positions = read_vectors(value, key);
@@ -46,9 +39,9 @@ void read_beamwidth(const CaseValue& value, Case& c) {
   if (value.kind == CaseValue::Kind::list) {
     if (value.items.size() != 2) reject(value, key + " must be one angle, or [azimuth, elevation]");
     for (const CaseValue& item : value.items)
-      c.radar.beamwidth_deg.push_back(read_between(item, "every entry of " + key, narrowest_beam, 180.0));
+      c.radar.beamwidth_deg.push_back(read_in(item, "every entry of " + key, a_beamwidth));
   } else {
-    c.radar.beamwidth_deg = {read_between(value, key, narrowest_beam, 180.0)};
+    c.radar.beamwidth_deg = {read_in(value, key, a_beamwidth)};
   }
   c.sweep.radar.pattern.azimuth_beamwidth = c.radar.beamwidth_deg.front() * degree;
   c.sweep.radar.pattern.elevation_beamwidth = c.radar.beamwidth_deg.back() * degree;
@@ -59,10 +52,10 @@ void set_ranges(const CaseValue& section, Case& c) {
   const CaseValue* receive = section.find("receive_range_m");
   if (!range)
     throw InputError(section.location + ": radar.range_m is missing; give the distance from the mesh's origin in metres");
-  c.radar.range_m = c.radar.receive_range_m = read_distance(*range, "radar.range_m");
+  c.radar.range_m = c.radar.receive_range_m = read_in(*range, "radar.range_m", a_range);
   if (receive && !c.sweep.bistatic)
     reject(*receive, "radar.receive_range_m needs a receiver of its own; add [receive], or remove it");
-  if (receive) c.radar.receive_range_m = read_distance(*receive, "radar.receive_range_m");
+  if (receive) c.radar.receive_range_m = read_in(*receive, "radar.receive_range_m", a_range);
   for (Look& look : c.sweep.looks) {
     look.transmit_range = c.radar.range_m;
     look.receive_range = c.radar.receive_range_m;
@@ -107,20 +100,20 @@ void read_link(const CaseValue& section, Case& c) {
 
 }  // namespace
 
-bool has_positions(const CaseValue& root) { return find(root, "radar", "position_m") != nullptr; }
+bool has_positions(const CaseValue& root) { return find(root, "radar.position_m") != nullptr; }
 
 void read_positions(const CaseValue& root, Case& c) {
-  const CaseValue& position = *find(root, "radar", "position_m");
+  const CaseValue& position = *find(root, "radar.position_m");
   for (const char* section : {"look", "receive"})
     if (const CaseValue* given = root.find(section))
       reject(
           *given, {&position},
           fmt::format("[{}] cannot be combined with radar.position_m, which says where the antenna stands; remove one", section));
   for (const char* key : {"range_m", "receive_range_m"})
-    if (const CaseValue* given = find(root, "radar", key))
+    if (const CaseValue* given = find(root, fmt::format("radar.{}", key)))
       reject(*given, {&position}, fmt::format("radar.{} cannot be combined with radar.position_m; remove one of them", key));
   c.radar.positions = read_antenna_positions(position, "radar.position_m");
-  if (const CaseValue* receive = find(root, "radar", "receive_position_m"))
+  if (const CaseValue* receive = find(root, "radar.receive_position_m"))
     c.radar.receive_positions = read_antenna_positions(*receive, "radar.receive_position_m");
   c.sweep.bistatic = !c.radar.receive_positions.empty();
   const double pairs = static_cast<double>(c.radar.positions.size()) *
@@ -148,9 +141,9 @@ void read_radar(const CaseValue& root, Case& c) {
     read_pattern_csv(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
   }
   if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
-    reject(*section, {find(root, "tubes", "clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
+    reject(*section, {find(root, "tubes.clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
   if (c.edges.utd_range > 0.0)
-    reject(*section, {find(root, "edges", "utd_range_m")},
+    reject(*section, {find(root, "edges.utd_range_m")},
            "[radar] has the places of the antennas, edges.utd_range_m a range for them; remove one of the two");
 }
 

@@ -131,10 +131,10 @@ std::vector<MaterialAssignment::Part> read_parts(const CaseValue& section, const
 
 MaterialAssignment read_material_assignment(const CaseValue& root, const std::vector<std::string>& names) {
   MaterialAssignment assignment;
-  if (const CaseValue* material = find(root, "target", "material"))
+  if (const CaseValue* material = find(root, "target.material"))
     assignment.elsewhere = read_name(*material, "target.material", names);
-  if (const CaseValue* parts = find(root, "target", "parts")) assignment.parts = read_parts(*parts, names);
-  if (const CaseValue* facets = find(root, "target", "facets")) assignment.facets = read_facets(*facets, names);
+  if (const CaseValue* parts = find(root, "target.parts")) assignment.parts = read_parts(*parts, names);
+  if (const CaseValue* facets = find(root, "target.facets")) assignment.facets = read_facets(*facets, names);
   return assignment;
 }
 

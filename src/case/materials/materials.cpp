@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 6> kinds = {"pec", "absorber", "dielectri
 constexpr std::array<const char*, 6> medium_keys = {"eps_r",     "mu_r",  "loss_tangent", "conductivity_s_per_m",
                                                     "table_csv", "medium"};
 
-constexpr double thinnest_mm = 1e-7, roughest_mm = 1e6;  // one atom; no target is rough by more than a kilometre
+constexpr Limits a_thickness{1e-7, farthest * 1e3};  // [mm]: the least is an atom
+constexpr Limits a_roughness{0.0, 1e6};              // [mm]: no target is rough by more than a kilometre
 
 /// A table of [materials], or a layer in it, and its dotted name.
 struct Entry {
@@ -32,10 +33,7 @@ struct Entry {
 std::string read_kind(const Entry& entry) {
   const CaseValue* value = entry.find("kind");
   if (!value) reject(entry.table, fmt::format("{} is missing; write \"{}\"", entry.key("kind"), joined(kinds, "\", \"")));
-  const std::string kind = read_text(*value, entry.key("kind"));
-  if (std::ranges::find(kinds, kind) == kinds.end())
-    reject(*value, fmt::format("{} \"{}\" is unknown; write \"{}\"", entry.key("kind"), quotable(kind), joined(kinds, "\", \"")));
-  return kind;
+  return std::string(kinds[read_word(*value, entry.key("kind"), kinds)]);
 }
 
 // The keys that only some kinds have.
@@ -52,24 +50,12 @@ void check_kind_has_keys(const Entry& entry, const std::string& kind) {
   only("roughness_rms_mm", {"pec", "absorber", "dielectric", "coated", "sheet"});
 }
 
-double read_at_least_zero(const CaseValue& value, const std::string& key) {
-  const double number = read_number(value, key);
-  if (number < 0.0) reject(value, fmt::format("{} must be at least 0 (found {})", key, number_text(number)));
-  return number;
-}
-
-double read_roughness(const CaseValue& value, const std::string& key) {
-  const double mm = read_at_least_zero(value, key);
-  if (mm > roughest_mm) reject(value, fmt::format("{} must be at most {:g} (found {})", key, roughest_mm, mm));
-  return mm;
-}
-
 LayerChoice read_layer(const Entry& entry) {
   const CaseValue* thickness = entry.find("thickness_mm");
   if (!thickness)
     reject(entry.table, {entry.find("kind")},
            entry.key("thickness_mm") + " is missing; add the thickness of the layer in millimetres");
-  const double mm = read_between(*thickness, entry.key("thickness_mm"), thinnest_mm, farthest * 1e3);
+  const double mm = read_in(*thickness, entry.key("thickness_mm"), a_thickness);
   return {mm, read_medium(entry.table, entry.path)};
 }
 
@@ -117,11 +103,11 @@ MaterialChoice read_material(const Entry& entry, const std::string& name) {
   check_kind_has_keys(entry, material.kind);
   if (material.kind != "pec" && material.kind != "absorber") material.layers = read_made_of(entry, material.kind);
   if (const CaseValue* value = entry.find("resistance_ohm"))
-    material.resistance = read_at_least_zero(*value, entry.key("resistance_ohm"));
+    material.resistance = read_in(*value, entry.key("resistance_ohm"), at_least_zero);
   if (const CaseValue* value = entry.find("conductance_s"))
-    material.conductance = read_at_least_zero(*value, entry.key("conductance_s"));
+    material.conductance = read_in(*value, entry.key("conductance_s"), at_least_zero);
   if (const CaseValue* value = entry.find("roughness_rms_mm"))
-    material.roughness_mm = read_roughness(*value, entry.key("roughness_rms_mm"));
+    material.roughness_mm = read_in(*value, entry.key("roughness_rms_mm"), a_roughness);
   return material;
 }
 
@@ -180,7 +166,7 @@ void read_materials(const CaseValue& root, Case& c) {
   c.assignment = read_material_assignment(root, names);
   for (const MaterialChoice& choice : c.materials)
     if (is_used(c.assignment, choice.name) && !(choice.kind == "pec" && choice.roughness_mm == 0.0))
-      c.sweep.materials.push_back(material_of(choice, c, find(root, "frequency", "ghz")->location));
+      c.sweep.materials.push_back(material_of(choice, c, find(root, "frequency.ghz")->location));
   if (!is_used(c.assignment, "absorber")) return;
   c.sweep.materials.emplace_back();  // which absorbs
   c.sweep.materials.back().name = "absorber";

@@ -255,16 +255,16 @@ const CaseValue* CaseValue::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &items[found - keys.begin()];
 }
 
-const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key) {
-  const CaseValue* table = root.find(section);
-  return table ? table->find(key) : nullptr;
+const CaseValue* find(const CaseValue& root, std::string_view dotted) {
+  const std::size_t dot = dotted.find('.');
+  const CaseValue* table = root.find(dotted.substr(0, dot));
+  return table && dot != std::string_view::npos ? table->find(dotted.substr(dot + 1)) : table;
 }
 
-const CaseValue& require(const CaseValue& root, std::string_view section, std::string_view key, std::string_view remedy) {
-  const CaseValue* value = find(root, section, key);
-  if (!value)
-    throw InputError(fmt::format("{}: {}.{} is missing; add {} under [{}]", root.location, section, key, remedy, section));
-  return *value;
+const CaseValue& require(const CaseValue& root, std::string_view dotted, std::string_view remedy) {
+  if (const CaseValue* value = find(root, dotted)) return *value;
+  throw InputError(
+      fmt::format("{}: {} is missing; add {} under [{}]", root.location, dotted, remedy, dotted.substr(0, dotted.find('.'))));
 }
 
 void reject(const CaseValue& value, const std::string& sentence) { throw InputError(value.location + ": " + sentence); }

@@ -25,11 +25,11 @@ struct CaseValue {
   const CaseValue* find(std::string_view key) const;
 };
 
-/// The entry root.section.key, or nullptr.
-const CaseValue* find(const CaseValue& root, std::string_view section, std::string_view key);
+/// The entry of the key "section.key", or nullptr.
+const CaseValue* find(const CaseValue& root, std::string_view dotted);
 
-/// The entry root.section.key. Throws InputError, which ends with `remedy`, where there is none.
-const CaseValue& require(const CaseValue& root, std::string_view section, std::string_view key, std::string_view remedy);
+/// The same. Throws InputError, which ends with `remedy`, where there is none.
+const CaseValue& require(const CaseValue& root, std::string_view dotted, std::string_view remedy);
 
 /// Throws InputError that begins with the location of `value`.
 [[noreturn]] void reject(const CaseValue& value, const std::string& sentence);

@@ -6,65 +6,13 @@
 #include <array>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
-#include "case/text/users_words.h"
 #include "core/text.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr std::array<std::string_view, 51> known_keys = {"title",
-                                                         "target.mesh",
-                                                         "target.unit",
-                                                         "target.material",
-                                                         "target.parts",
-                                                         "target.facets",
-                                                         "frequency.ghz",
-                                                         "look.theta_deg",
-                                                         "look.phi_deg",
-                                                         "look.looks_csv",
-                                                         "receive.theta_deg",
-                                                         "receive.phi_deg",
-                                                         "tubes.mode",
-                                                         "tubes.per_wavelength",
-                                                         "tubes.max_bounces",
-                                                         "tubes.up",
-                                                         "tubes.clip",
-                                                         "tubes.curved",
-                                                         "accuracy.tolerance_db",
-                                                         "accuracy.model_share",
-                                                         "tubes.skip",
-                                                         "edges.method",
-                                                         "edges.order",
-                                                         "edges.between",
-                                                         "edges.between_budget",
-                                                         "edges.receiver_shadow",
-                                                         "edges.transition",
-                                                         "edges.materials",
-                                                         "edges.thin_sheets",
-                                                         "edges.utd_range_m",
-                                                         "edges.min_wedge_deg",
-                                                         "surfaces.waves",
-                                                         "radar.range_m",
-                                                         "radar.receive_range_m",
-                                                         "radar.position_m",
-                                                         "radar.receive_position_m",
-                                                         "radar.aim_m",
-                                                         "radar.receive_aim_m",
-                                                         "radar.turntable_deg",
-                                                         "radar.transmit_power_dbm",
-                                                         "radar.gain_dbi",
-                                                         "radar.beamwidth_deg",
-                                                         "radar.pattern_csv",
-                                                         "ground.height_m",
-                                                         "ground.material",
-                                                         "output.plots",
-                                                         "output.netcdf",
-                                                         "output.incoherent",
-                                                         "output.power_dbm",
-                                                         "output.image_look",
-                                                         "output.image_per_wavelength"};
 
 // Of [materials.NAME]. The first ones say what a layer is.
 constexpr std::array<std::string_view, 12> material_keys = {
@@ -74,23 +22,20 @@ constexpr std::span<const std::string_view> layer_keys = std::span(material_keys
 
 bool contains(std::span<const std::string_view> keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
-bool is_section(std::string_view key) {
-  return std::any_of(known_keys.begin(), known_keys.end(), [&](std::string_view known) {
-    return known.size() > key.size() && known.substr(0, key.size()) == key && known[key.size()] == '.';
-  });
+bool is_above(std::string_view key, std::span<const std::string_view> names) {
+  return std::ranges::any_of(names, [&](std::string_view known) { return known.starts_with(std::string(key) + '.'); });
 }
 
-// Levenshtein: insertions, deletions and substitutions that turn `a` into `b`.
+// Insertions, deletions, substitutions and exchanges of neighbours that turn `a` into `b` (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1), above(b.size() + 1), before;
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before = std::exchange(above, row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, row[j + 1] + 1});
+      row[j + 1] = std::min({above[j] + (a[i] == b[j] ? 0 : 1), row[j] + 1, above[j + 1] + 1});
+      if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j]) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
   }
   return row.back();
@@ -114,40 +59,53 @@ bool are_near_keys(std::string_view key, std::string_view known) {
   return are_near(name, last_part(known)) || last_part(known).starts_with(name + "_");
 }
 
-std::string keys_of_section(std::string_view section) {
-  std::vector<std::string_view> keys;
-  for (const std::string_view known : known_keys)
-    if (known.substr(0, known.find('.')) == section) keys.push_back(known);
-  return joined(keys, ", ");
+std::string_view section_of(std::string_view key) { return key.substr(0, key.find('.')); }
+
+// The keys of a section, or of none of that name the sections that there are.
+std::string choice_beside(std::string_view key, std::span<const std::string_view> known) {
+  std::vector<std::string_view> keys, sections;
+  for (const std::string_view name : known) {
+    if (section_of(name) == section_of(key)) keys.push_back(name);
+    if (!contains(sections, section_of(name))) sections.push_back(section_of(name));
+  }
+  return joined(keys.empty() ? sections : keys, ", ");
 }
 
-std::string sections() {
-  std::vector<std::string_view> names = {"materials"};
-  for (const std::string_view known : known_keys)
-    if (const std::string_view section = known.substr(0, known.find('.')); !contains(names, section)) names.push_back(section);
-  return joined(names, ", ");
-}
-
-std::string remedy_for_key(std::string_view key) {
-  if (const std::string_view remedy = remedy_for_word(key); !remedy.empty()) return std::string(remedy);
-  if (const std::string_view nearest = nearest_key(key, known_keys); !nearest.empty())
+std::string remedy_for_key(std::string_view key, const KnownKeys& known) {
+  if (const std::string_view remedy = known.remedy_for_word ? known.remedy_for_word(key) : ""; !remedy.empty())
+    return std::string(remedy);
+  if (const std::string_view nearest = nearest_key(key, known.names); !nearest.empty())
     return fmt::format("did you mean \"{}\"?", nearest);
-  const std::string keys = keys_of_section(key.substr(0, key.find('.')));
-  return "choose among " + (keys.empty() ? sections() : keys);
+  return "choose among " + choice_beside(key, known.names);
 }
 
-void check_key(const CaseValue& value, const std::string& key) {
-  if (!contains(known_keys, key)) reject(value, fmt::format("unknown key \"{}\"; {}", quotable(key), remedy_for_key(key)));
+// A key inside an unknown section shows better than the section which one was meant.
+[[noreturn]] void reject_unknown(const CaseValue& value, const std::string& key, const KnownKeys& known) {
+  if (contains(known.foreign_sections, key))
+    reject(value, fmt::format("[{}] belongs to a case for raytube {}; run it with that command", key, known.foreign_command));
+  if (contains(known.names, "materials") && edit_distance(key, "materials") <= 2)
+    reject(value, fmt::format("unknown section \"{}\"; did you mean \"materials\"?", quotable(key)));
+  const bool holds_key = key.find('.') == std::string::npos && value.kind == CaseValue::Kind::table && !value.keys.empty();
+  const std::string meant = holds_key ? key + "." + value.keys.front() : key;
+  reject(value, fmt::format("unknown key \"{}\"; {}", quotable(meant), remedy_for_key(meant, known)));
 }
 
-// A key inside tells better than its misspelt section which one was meant.
-void check_unknown_section(const CaseValue& value, const std::string& section) {
-  if (section == "scene" || section == "source")
-    reject(value, fmt::format("[{}] belongs to a case for raytube sources; run it with that command", section));
-  if (edit_distance(section, "materials") <= 2)
-    reject(value, fmt::format("unknown section \"{}\"; did you mean \"materials\"?", quotable(section)));
-  const bool holds_key = value.kind == CaseValue::Kind::table && !value.keys.empty();
-  check_key(value, holds_key ? section + "." + value.keys.front() : section);
+void check_table(const CaseValue& table, const std::string& prefix, const KnownKeys& known) {
+  for (std::size_t i = 0; i < table.keys.size(); ++i) {
+    const std::string key = prefix + table.keys[i];
+    const CaseValue& value = table.items[i];
+    if (contains(known.names, key)) continue;
+    if (!is_above(key, known.names)) reject_unknown(value, key, known);
+    const bool in_list = key == known.listed_section;
+    if (value.kind != (in_list ? CaseValue::Kind::list : CaseValue::Kind::table))
+      reject(value, in_list ? fmt::format("{0} must be a list; write [[{0}]] before each entry", key)
+                            : fmt::format("{0} must be a section; write [{0}]", key));
+    for (const CaseValue& item : in_list ? std::span(value.items) : std::span(&value, 1)) {
+      if (item.kind != CaseValue::Kind::table)
+        reject(item, fmt::format("every entry of {0} must be a section; write [[{0}]]", key));
+      check_table(item, key + '.', known);
+    }
+  }
 }
 
 void check_keys_among(const CaseValue& table, std::span<const std::string_view> known, const std::string& path) {
@@ -166,13 +124,6 @@ void check_material(const CaseValue& material, const std::string& path) {
   const CaseValue* layers = material.find("layers");
   for (std::size_t i = 0; layers && i < layers->items.size(); ++i)
     check_keys_among(layers->items[i], layer_keys, fmt::format("{}.layers[{}]", path, i));
-}
-
-void check_materials(const CaseValue& materials) {
-  if (materials.kind != CaseValue::Kind::table)
-    reject(materials, "materials must be a section; write [materials.NAME] for each material");
-  for (std::size_t i = 0; i < materials.keys.size(); ++i)
-    check_material(materials.items[i], "materials." + quotable(materials.keys[i]));
 }
 
 }  // namespace
@@ -204,21 +155,13 @@ std::string_view nearest_key(std::string_view key, std::span<const std::string_v
   return nearest == near.end() ? std::string_view() : *nearest;
 }
 
-void check_case_keys(const CaseValue& root) {
-  for (std::size_t i = 0; i < root.keys.size(); ++i) {
-    const std::string& section = root.keys[i];
-    const CaseValue& value = root.items[i];
-    if (section == "materials") {
-      check_materials(value);
-      continue;
-    }
-    if (!is_section(section)) {
-      check_unknown_section(value, section);
-      continue;
-    }
-    if (value.kind != CaseValue::Kind::table) reject(value, fmt::format("{0} must be a section; write [{0}]", section));
-    for (std::size_t j = 0; j < value.keys.size(); ++j) check_key(value.items[j], section + "." + value.keys[j]);
-  }
+void check_keys(const CaseValue& root, const KnownKeys& known) { check_table(root, "", known); }
+
+void check_material_keys(const CaseValue& materials) {
+  if (materials.kind != CaseValue::Kind::table)
+    reject(materials, "materials must be a section; write [materials.NAME] for each material");
+  for (std::size_t i = 0; i < materials.keys.size(); ++i)
+    check_material(materials.items[i], "materials." + quotable(materials.keys[i]));
 }
 
 }  // namespace raytube

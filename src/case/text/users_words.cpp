@@ -6,6 +6,7 @@
 #include <array>
 #include <span>
 
+#include "core/decimal.h"
 #include "core/text.h"
 
 namespace raytube {
@@ -18,8 +19,8 @@ struct Remedy {
 };
 
 constexpr std::array<Remedy, 14> remedies = {
-    {{" azimuth azimuth_deg az az_deg aspect aspect_deg ", "look.phi_deg is the azimuth, from +x towards +y; write that"},
-     {" elevation elevation_deg el el_deg ", "write look.theta_deg = 90 - elevation, the angle from +z"},
+    {{" azimuth azimuth_deg az az_deg aspect aspect_deg ", "write look.azimuth_deg (or look.phi_deg), from +x towards +y"},
+     {" elevation elevation_deg el el_deg ", "write look.elevation_deg, or look.theta_deg = 90 - elevation, the angle from +z"},
      {" scale scaling scale_factor units mesh_unit mesh_scale ",
       "target.unit is the length of one mesh unit; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\" there"},
      {" polarization polarisation polarizations polarisations pol tx_pol rx_pol vv vh hv hh channel channels ",
@@ -54,11 +55,17 @@ std::string_view remedy_for_word(std::string_view key) {
   return {};
 }
 
+double theta_of_elevation(double elevation_deg) { return rounded_at_scale(90.0 - elevation_deg, 180.0) + 0.0; }
+
+std::string elevation_outside(std::string_view name, double elevation_deg) {
+  return fmt::format("{} must be from -90 to 90 degrees, from the plane z = 0 towards +z (found {})", name, elevation_deg);
+}
+
 std::string theta_outside(std::string_view name, double theta_deg) {
   const std::string sentence =
-      fmt::format("{} must lie in 0 to 180 degrees, from +z (found {}); it is 90 - elevation", name, theta_deg);
+      fmt::format("{} must be from 0 to 180 degrees, from +z (found {}); theta is 90 - elevation", name, theta_deg);
   if (theta_deg > 0.0 || theta_deg < -90.0) return sentence;
-  return fmt::format("{}: for an elevation of {} write {}", sentence, theta_deg, 90.0 - theta_deg);
+  return fmt::format("{}: for an elevation of {} write {}, or elevation_deg", sentence, theta_deg, 90.0 - theta_deg);
 }
 
 }  // namespace raytube

@@ -10,6 +10,12 @@ namespace raytube {
 /// Empty if it is no word known here.
 std::string_view remedy_for_word(std::string_view key);
 
+/// Theta of an elevation [deg], without the binary dust of the subtraction.
+double theta_of_elevation(double elevation_deg);
+
+/// The sentence about an elevation outside -90...90 degrees.
+std::string elevation_outside(std::string_view name, double elevation_deg);
+
 /// The sentence about a theta outside 0...180 degrees; `name` is how it calls the angle.
 std::string theta_outside(std::string_view name, double theta_deg);
 

@@ -19,14 +19,10 @@ namespace {
 using Kind = CaseValue::Kind;
 
 constexpr double most_values = 1e6;
-constexpr double least_density = 1e-3;
 constexpr double coarsest_angle = 1e-6;  // [deg]: the finest lobes there are, of 10^6 wavelengths, are thirty times as wide
 
-struct Unit {
-  std::string_view name;
-  double metres;
-};
-constexpr std::array<Unit, 6> units = {{{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}, {"ft", 0.3048}}};
+constexpr std::array<std::string_view, 6> units = {"m", "cm", "mm", "um", "in", "ft"};
+constexpr std::array<double, 6> metres = {1.0, 1e-2, 1e-3, 1e-6, 0.0254, 0.3048};
 
 struct Range {
   double start, stop, third;  // third: step or count
@@ -154,37 +150,19 @@ double read_number(const CaseValue& value, const std::string& key) {
 std::string unresolved_angle(const std::string& key, double degrees) {
   const double apart = std::nextafter(std::abs(degrees), std::numeric_limits<double>::infinity()) - std::abs(degrees);
   if (apart <= coarsest_angle) return {};
-  return fmt::format(
-      "{} is {}, where numbers lie {:.1g} degrees apart, so that it is no direction; write an angle from -360 to 360", key,
-      degrees, apart);
+  return fmt::format("{} is {}, too large for an angle in double precision; write an angle from -360 to 360", key, degrees);
 }
 
-double read_positive(const CaseValue& value, const std::string& key) {
+double read_in(const CaseValue& value, const std::string& key, const Limits& limits) {
   const double number = read_number(value, key);
-  if (number <= 0.0) reject(value, fmt::format("{} must be greater than 0 (found {})", key, number));
+  if (!limits.hold(number)) reject(value, fmt::format("{} must be {} (found {})", key, limits.text(), number));
   return number;
 }
 
-double read_between(const CaseValue& value, const std::string& key, double least, double most) {
-  const double number = read_positive(value, key);
-  if (number < least) reject(value, fmt::format("{} must be at least {:g} (found {})", key, least, number));
-  if (number > most) reject(value, fmt::format("{} must be at most {:g} (found {})", key, most, number));
-  return number;
-}
-
-double read_density(const CaseValue& value, const std::string& key) {
-  const double density = read_positive(value, key);
-  if (density < least_density)
-    reject(value, fmt::format("{} must be at least {:g} (found {}), for what is sampled more coarsely than in a thousand "
-                              "wavelengths is not sampled; write for example 10",
-                              key, least_density, density));
-  return density;
-}
-
-int read_whole(const CaseValue& value, const std::string& key, int least, int most) {
+int read_whole(const CaseValue& value, const std::string& key, const Limits& limits) {
   const double number = read_number(value, key);
-  if (number < least || number > most || number != std::floor(number))
-    reject(value, fmt::format("{} must be a whole number from {} to {} (found {})", key, least, most, number));
+  if (!limits.hold(number) || number != std::floor(number))
+    reject(value, fmt::format("{} must be a whole number {} (found {})", key, limits.text(), number));
   return static_cast<int>(number);
 }
 
@@ -214,6 +192,15 @@ std::string read_text(const CaseValue& value, const std::string& key) {
   return value.text;
 }
 
+std::size_t read_word(const CaseValue& value, const std::string& key, std::span<const std::string_view> words) {
+  const std::string text = read_text(value, key);
+  const auto found = std::ranges::find(words, text);
+  if (found == words.end())
+    reject(value, fmt::format("{} \"{}\" is unknown; write \"{}\" or \"{}\"", key, quotable(text),
+                              joined(words.first(words.size() - 1), "\", \""), words.back()));
+  return found - words.begin();
+}
+
 std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what) {
   std::string name = read_text(value, key);
   if (name.empty()) reject(value, fmt::format("{} is empty; give the file of the {}, relative to the case file", key, what));
@@ -226,12 +213,7 @@ std::string read_file_name(const CaseValue& value, const std::string& key, const
   return name;
 }
 
-double read_unit(const CaseValue& value, const std::string& key) {
-  const std::string name = read_text(value, key);
-  for (const Unit& unit : units)
-    if (unit.name == name) return unit.metres;
-  reject(value, fmt::format("{} \"{}\" is unknown; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\"", key, quotable(name)));
-}
+double read_unit(const CaseValue& value, const std::string& key) { return metres[read_word(value, key, units)]; }
 
 std::vector<double> read_values(const CaseValue& value, const std::string& key, std::vector<std::string>& warnings) {
   if (value.kind == Kind::list) return listed(value, key);

@@ -2,27 +2,22 @@
 // `key` is the dotted name used in the sentence.
 #pragma once
 
+#include <span>
+
 #include "case/text/document.h"
 #include "core/field.h"
+#include "scene/keys/key.h"
 
 namespace raytube {
-
-/// Nothing of a case may lie farther from the origin [m].
-inline constexpr double farthest = 1e12;
 
 /// A finite number, never -0.
 double read_number(const CaseValue& value, const std::string& key);
 /// The sentence about an angle so large that the numbers beside it lie more than a millionth of a degree apart, so that it points
 /// nowhere; empty for others.
 std::string unresolved_angle(const std::string& key, double degrees);
-/// A number greater than 0.
-double read_positive(const CaseValue& value, const std::string& key);
-/// A number greater than 0, from `least` to `most`.
-double read_between(const CaseValue& value, const std::string& key, double least, double most);
-/// Tubes or cells of an image per wavelength; read_positive() for one that is more than a thousandth.
-double read_density(const CaseValue& value, const std::string& key);
-/// A whole number from `least` to `most`.
-int read_whole(const CaseValue& value, const std::string& key, int least, int most);
+/// A number within limits, or a whole one.
+double read_in(const CaseValue& value, const std::string& key, const Limits& limits);
+int read_whole(const CaseValue& value, const std::string& key, const Limits& limits);
 /// true or false.
 bool read_flag(const CaseValue& value, const std::string& key);
 /// A list of three numbers.
@@ -31,6 +26,8 @@ dvec3 read_vector(const CaseValue& value, const std::string& key);
 std::vector<dvec3> read_vectors(const CaseValue& value, const std::string& key);
 /// A text in quotes.
 std::string read_text(const CaseValue& value, const std::string& key);
+/// The place of a text among these words.
+std::size_t read_word(const CaseValue& value, const std::string& key, std::span<const std::string_view> words);
 /// The name of a file, relative to the case's folder; `what` it holds is for the sentence about an empty one.
 std::string read_file_name(const CaseValue& value, const std::string& key, const std::string& what);
 

@@ -19,7 +19,7 @@ Reason why_not(MechanismId id, const SolvePlan& plan) { return entry_of(id).stat
 
 Reason no_currents(const SolvePlan& plan) {
   if (plan.fringe()) return {};
-  return fmt::format("edges.method is \"{}\"", edge_method_name(plan.edges.method));
+  return fmt::format("edges.method is \"{}\"", word_of(plan.edges.method));
 }
 
 Reason no_edges(const SolvePlan& plan) { return why_not(MechanismId::edge_currents, plan); }

@@ -18,7 +18,7 @@ std::vector<std::string> warnings_of(const Case& c, const SolvePlan& plan, std::
                     std::back_inserter(sentences));
   std::ranges::copy(thick_layer_warnings(find_thick_layers(target.mesh, plan.sweep.materials), plan.sweep.materials, unit),
                     std::back_inserter(sentences));
-  std::ranges::copy(validity_warnings(validity_of(target, plan.sweep, outermost)), std::back_inserter(sentences));
+  std::ranges::copy(validity_warnings(validity_of(target, plan.sweep, outermost), unit), std::back_inserter(sentences));
   std::ranges::copy(sampling_warnings(coarse_steps(c.sweep, outermost)), std::back_inserter(sentences));
   std::ranges::copy(idle_key_warnings(c, plan), std::back_inserter(sentences));
   return sentences;

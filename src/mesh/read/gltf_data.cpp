@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "core/text.h"
 #include "mesh/files/mesh_file.h"
@@ -68,12 +69,12 @@ double normalized_value(double value, std::uint64_t type) {
 }  // namespace
 
 GltfData::GltfData(const GltfDocument& document) : document_(document), bytes_(document.file.bytes.size()) {
-  const auto buffers = document_.list(document_.json, "buffers");
+  const auto buffers = document_.list(*document_.json, "buffers");
   for (std::uint64_t i = 0; i < buffers.size(); ++i) buffers_.push_back(load_buffer(buffers[i], i));
 }
 
-std::string GltfData::load_buffer(const JsonValue& buffer, std::uint64_t index) {
-  const std::string uri = document_.text(buffer, "uri");
+std::string GltfData::load_buffer(const Json& buffer, std::uint64_t index) {
+  const std::string uri = text_at(buffer, "uri");
   const std::uint64_t announced = document_.required_whole(buffer, "byteLength");
   std::string bytes;
   if (uri.empty())
@@ -107,7 +108,7 @@ std::string GltfData::load_file(const std::string& uri) {
 }
 
 std::string_view GltfData::view(std::uint64_t index) const {
-  const JsonValue& view = document_.element("bufferViews", index);
+  const Json& view = document_.element("bufferViews", index);
   const std::uint64_t buffer = document_.required_whole(view, "buffer"), offset = document_.whole(view, "byteOffset", 0),
                       bytes = document_.required_whole(view, "byteLength");
   document_.element("buffers", buffer);
@@ -124,15 +125,15 @@ std::string_view GltfData::view_part(std::uint64_t index, std::uint64_t offset, 
   return whole.substr(offset);
 }
 
-GltfData::Layout GltfData::layout(const JsonValue& accessor, std::uint64_t components) const {
-  const JsonValue* normalized = accessor.find("normalized");
+GltfData::Layout GltfData::layout(const Json& accessor, std::uint64_t components) const {
+  const Json* normalized = find(accessor, "normalized");
   Layout layout{{},         document_.required_whole(accessor, "count"),
                 components, document_.required_whole(accessor, "componentType"),
-                0,          normalized && normalized->boolean};
+                0,          normalized && *normalized == true};
   const std::uint64_t element_bytes = components * component_bytes(document_.file, layout.component_type);
   // So many numbers that stand nowhere would be named by as many indices.
   if (layout.count > bytes_) document_.file.reject("an accessor counts more elements than the file has bytes; export it again");
-  if (!accessor.find("bufferView") || layout.count == 0) return layout;
+  if (!find(accessor, "bufferView") || layout.count == 0) return layout;
   const std::uint64_t index = document_.required_whole(accessor, "bufferView");
   layout.stride = document_.whole(document_.element("bufferViews", index), "byteStride", element_bytes);
   if (layout.stride < element_bytes || layout.stride > 252)
@@ -150,7 +151,7 @@ double GltfData::value(const Layout& layout, std::uint64_t element, std::uint64_
 }
 
 /// The indices or the values of a sparse accessor, which stand without gaps.
-GltfData::Layout GltfData::sparse_layout(const JsonValue& part, Layout like) const {
+GltfData::Layout GltfData::sparse_layout(const Json& part, Layout like) const {
   const std::uint64_t index = document_.required_whole(part, "bufferView");
   like.stride = like.components * component_bytes(document_.file, like.component_type);
   if (like.count > bytes_)
@@ -159,10 +160,10 @@ GltfData::Layout GltfData::sparse_layout(const JsonValue& part, Layout like) con
   return like;
 }
 
-void GltfData::replace_sparse(const JsonValue& accessor, const Layout& layout, std::vector<double>& all) const {
-  const JsonValue* sparse = accessor.find("sparse");
+void GltfData::replace_sparse(const Json& accessor, const Layout& layout, std::vector<double>& all) const {
+  const Json* sparse = find(accessor, "sparse");
   if (!sparse) return;
-  const JsonValue *indices = sparse->find("indices"), *replacements = sparse->find("values");
+  const Json *indices = find(*sparse, "indices"), *replacements = find(*sparse, "values");
   if (!indices || !replacements) document_.file.reject("a sparse accessor lacks indices or values; export the mesh again");
   const std::uint64_t count = document_.required_whole(*sparse, "count");
   const Layout places = sparse_layout(*indices, {{}, count, 1, document_.required_whole(*indices, "componentType"), 0, false});
@@ -178,8 +179,8 @@ void GltfData::replace_sparse(const JsonValue& accessor, const Layout& layout, s
 }
 
 std::vector<double> GltfData::values(std::uint64_t index, std::string_view type, std::uint64_t components) const {
-  const JsonValue& accessor = document_.element("accessors", index);
-  if (const std::string found = document_.text(accessor, "type"); found != type)
+  const Json& accessor = document_.element("accessors", index);
+  if (const std::string found = text_at(accessor, "type"); found != type)
     document_.file.reject(fmt::format("accessors[{}] is of type '{}' where {} belongs; the file is damaged, export it again",
                                       index, quotable(found), type));
   const Layout from = layout(accessor, components);

@@ -29,14 +29,14 @@ class GltfData {
     bool normalized;
   };
 
-  std::string load_buffer(const JsonValue& buffer, std::uint64_t index);
+  std::string load_buffer(const Json& buffer, std::uint64_t index);
   std::string load_file(const std::string& uri);
   std::string_view view(std::uint64_t index) const;
   std::string_view view_part(std::uint64_t index, std::uint64_t offset, std::uint64_t bytes) const;
-  Layout layout(const JsonValue& accessor, std::uint64_t components) const;
-  Layout sparse_layout(const JsonValue& part, Layout like) const;
+  Layout layout(const Json& accessor, std::uint64_t components) const;
+  Layout sparse_layout(const Json& part, Layout like) const;
   double value(const Layout& layout, std::uint64_t element, std::uint64_t component) const;
-  void replace_sparse(const JsonValue& accessor, const Layout& layout, std::vector<double>& values) const;
+  void replace_sparse(const Json& accessor, const Layout& layout, std::vector<double>& values) const;
   std::vector<double> values(std::uint64_t accessor, std::string_view type, std::uint64_t components) const;
 
   const GltfDocument& document_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "core/text.h"
 
@@ -31,11 +32,11 @@ std::string_view take_chunk(const MeshFile& file, std::string_view& bytes, std::
   return chunk;
 }
 
-JsonValue parsed_or_rejected(const MeshFile& file, std::string_view text) {
+std::shared_ptr<const Json> parsed_or_rejected(const MeshFile& file, std::string_view text) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-  std::optional<JsonValue> json = parsed_json(std::string(text));
-  if (!json || json->kind != JsonValue::Kind::table) file.reject("its JSON is damaged or cut short; export the mesh again");
-  return std::move(*json);
+  Json json = json_of(text);
+  if (!json.is_object()) file.reject("its JSON is damaged or cut short; export the mesh again");
+  return std::make_shared<const Json>(std::move(json));
 }
 
 GltfDocument binary_document(const MeshFile& file) {
@@ -58,18 +59,18 @@ bool leaves_surface_as_it_is(std::string_view extension) {
 }
 
 void check_extensions(const GltfDocument& document) {
-  for (const JsonValue& extension : document.list(document.json, "extensionsRequired"))
-    if (!leaves_surface_as_it_is(extension.text))
-      document.file.reject(fmt::format("needs the extension {}, which is not read; export it without compression and extensions",
-                                       quotable(extension.text)));
-  for (const JsonValue& extension : document.list(document.json, "extensionsUsed"))
-    if (extension.text == "EXT_mesh_gpu_instancing")
+  for (const Json& extension : document.list(*document.json, "extensionsRequired"))
+    if (const std::string name = extension.is_string() ? extension.get<std::string>() : ""; !leaves_surface_as_it_is(name))
+      document.file.reject(
+          fmt::format("needs the extension {}, which is not read; export it without compression and extensions", quotable(name)));
+  for (const Json& extension : document.list(*document.json, "extensionsUsed"))
+    if (extension == "EXT_mesh_gpu_instancing")
       document.file.reject("places its meshes by EXT_mesh_gpu_instancing, which is not read; export it without instancing");
 }
 
 void check_version(const GltfDocument& document) {
-  const JsonValue* asset = document.json.find("asset");
-  const std::string version = asset ? document.text(*asset, "version") : "";
+  const Json* asset = find(*document.json, "asset");
+  const std::string version = asset ? text_at(*asset, "version") : "";
   if (!version.starts_with("2."))
     document.file.reject(
         fmt::format("its asset.version is '{}', where glTF 2.0 is read; export it as glTF 2.0", quotable(version)));
@@ -77,48 +78,41 @@ void check_version(const GltfDocument& document) {
 
 }  // namespace
 
-const JsonValue& GltfDocument::element(std::string_view list_name, std::uint64_t index) const {
-  const std::span<const JsonValue> items = list(json, list_name);
+const Json& GltfDocument::element(std::string_view list_name, std::uint64_t index) const {
+  const std::span<const Json> items = list(*json, list_name);
   if (index >= items.size())
     file.reject(
         fmt::format("{}[{}] does not exist, there are {}; the file is damaged, export it again", list_name, index, items.size()));
   return items[index];
 }
 
-std::span<const JsonValue> GltfDocument::list(const JsonValue& table, std::string_view name) const {
-  const JsonValue* value = table.find(name);
+std::span<const Json> GltfDocument::list(const Json& table, std::string_view name) const {
+  const Json* value = find(table, name);
   if (!value) return {};
-  if (value->kind != JsonValue::Kind::list) file.reject(fmt::format("'{}' is not a list; export the mesh again", name));
-  return value->items;
+  if (!value->is_array()) file.reject(fmt::format("'{}' is not a list; export the mesh again", name));
+  return value->get_ref<const Json::array_t&>();
 }
 
-std::uint64_t GltfDocument::whole(const JsonValue& value) const {
-  if (value.kind != JsonValue::Kind::whole)
+std::uint64_t GltfDocument::whole(const Json& value) const {
+  if (!value.is_number_unsigned())
     file.reject("a whole number is missing, or something else is in its place; the file is damaged, export it again");
-  return value.whole;
+  return value.get<std::uint64_t>();
 }
 
-std::uint64_t GltfDocument::whole(const JsonValue& table, std::string_view name, std::uint64_t otherwise) const {
-  return table.find(name) ? required_whole(table, name) : otherwise;
+std::uint64_t GltfDocument::whole(const Json& table, std::string_view name, std::uint64_t otherwise) const {
+  return find(table, name) ? required_whole(table, name) : otherwise;
 }
 
-std::uint64_t GltfDocument::required_whole(const JsonValue& table, std::string_view name) const {
-  const JsonValue* value = table.find(name);
-  if (!value || value->kind != JsonValue::Kind::whole)
+std::uint64_t GltfDocument::required_whole(const Json& table, std::string_view name) const {
+  const Json* value = find(table, name);
+  if (!value || !value->is_number_unsigned())
     file.reject(fmt::format("'{}' is missing or not a whole number; the file is damaged, export it again", name));
-  return value->whole;
+  return value->get<std::uint64_t>();
 }
 
-double GltfDocument::number(const JsonValue& value) const {
-  if (value.kind == JsonValue::Kind::whole) return static_cast<double>(value.whole);
-  if (value.kind != JsonValue::Kind::number)
-    file.reject("something else is in the place of a number; the file is damaged, export it again");
-  return value.number;
-}
-
-std::string GltfDocument::text(const JsonValue& table, std::string_view name) const {
-  const JsonValue* value = table.find(name);
-  return value ? value->text : "";
+double GltfDocument::number(const Json& value) const {
+  if (!value.is_number()) file.reject("something else is in the place of a number; the file is damaged, export it again");
+  return value.get<double>();
 }
 
 GltfDocument read_gltf_document(const MeshFile& file) {

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "core/text.h"
@@ -25,7 +26,7 @@ class GltfParser {
   explicit GltfParser(const MeshFile& file) : file_(file), document_(read_gltf_document(file)), data_(document_) {}
 
   PolygonSoup parse() {
-    for (const JsonValue& root : document_.list(shown_scene(), "nodes")) add_node(document_.whole(root), glm::dmat4(1.0), {}, 0);
+    for (const Json& root : document_.list(shown_scene(), "nodes")) add_node(document_.whole(root), glm::dmat4(1.0), {}, 0);
     remark_on_nodes();
     soup_.stated_unit = StatedUnit{"m", 1.0};
     soup_.further_files = data_.further_files();
@@ -33,24 +34,24 @@ class GltfParser {
   }
 
  private:
-  const JsonValue& shown_scene() const {
-    const std::size_t scenes = document_.list(document_.json, "scenes").size();
+  const Json& shown_scene() const {
+    const std::size_t scenes = document_.list(*document_.json, "scenes").size();
     if (scenes == 0) file_.reject("holds no scene; export the mesh as a scene");
-    if (scenes > 1 && !document_.json.find("scene"))
+    if (scenes > 1 && !find(*document_.json, "scene"))
       file_.reject(fmt::format("holds {} scenes and says of none that it is the one to show; export one scene", scenes));
-    return document_.element("scenes", document_.whole(document_.json, "scene", 0));
+    return document_.element("scenes", document_.whole(*document_.json, "scene", 0));
   }
 
   /// Drawn as hidden is not the same as away, and what no scene shows may be meant all the same.
   void remark_on_nodes() {
     soup_.remarks.emplace_back(
         "+y of a glTF file is up, and axes stay as they are: theta is the angle from its +z; turn the mesh if z is to be up");
-    const std::span<const JsonValue> nodes = document_.list(document_.json, "nodes");
+    const std::span<const Json> nodes = document_.list(*document_.json, "nodes");
     visited_.resize(nodes.size());
     std::uint64_t hidden = 0, left_out = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       hidden += visited_[i] && is_hidden(nodes[i]);
-      left_out += !visited_[i] && nodes[i].find("mesh");
+      left_out += !visited_[i] && find(nodes[i], "mesh");
     }
     if (hidden > 0)
       soup_.remarks.push_back(fmt::format(
@@ -61,41 +62,41 @@ class GltfParser {
           left_out));
   }
 
-  static bool is_hidden(const JsonValue& node) {
-    const JsonValue* extensions = node.find("extensions");
-    const JsonValue* visibility = extensions ? extensions->find("KHR_node_visibility") : nullptr;
-    const JsonValue* visible = visibility ? visibility->find("visible") : nullptr;
-    return visible && visible->kind == JsonValue::Kind::boolean && !visible->boolean;
+  static bool is_hidden(const Json& node) {
+    const Json* extensions = find(node, "extensions");
+    const Json* visibility = extensions ? find(*extensions, "KHR_node_visibility") : nullptr;
+    const Json* visible = visibility ? find(*visibility, "visible") : nullptr;
+    return visible && *visible == false;
   }
 
   /// `names` are those of the nodes above.
   void add_node(std::uint64_t index, const glm::dmat4& above, std::vector<std::string> names, int level) {
-    const JsonValue& node = document_.element("nodes", index);
-    visited_.resize(document_.list(document_.json, "nodes").size());
+    const Json& node = document_.element("nodes", index);
+    visited_.resize(document_.list(*document_.json, "nodes").size());
     if (visited_[index] || level > most_gltf_levels)
       file_.reject(
           fmt::format("nodes[{}] stands at two places of the scene or {} levels deep; export the mesh again", index, level));
     visited_[index] = true;
-    if (node.find("skin")) file_.reject(fmt::format("nodes[{}] is bent by a skeleton; apply the pose before the export", index));
+    if (find(node, "skin")) file_.reject(fmt::format("nodes[{}] is bent by a skeleton; apply the pose before the export", index));
     const glm::dmat4 place = above * transform_of(node);
-    names.push_back(document_.text(node, "name"));
-    if (node.find("mesh")) add_mesh(node, place, names);
-    for (const JsonValue& child : document_.list(node, "children")) add_node(document_.whole(child), place, names, level + 1);
+    names.push_back(text_at(node, "name"));
+    if (find(node, "mesh")) add_mesh(node, place, names);
+    for (const Json& child : document_.list(node, "children")) add_node(document_.whole(child), place, names, level + 1);
   }
 
   /// As many numbers as `otherwise`, which stands for them where they are missing.
-  std::vector<double> numbers_of(const JsonValue& table, std::string_view name, std::vector<double> otherwise) const {
-    if (!table.find(name)) return otherwise;
+  std::vector<double> numbers_of(const Json& table, std::string_view name, std::vector<double> otherwise) const {
+    if (!find(table, name)) return otherwise;
     std::vector<double> numbers;
-    for (const JsonValue& value : document_.list(table, name)) numbers.push_back(document_.number(value));
+    for (const Json& value : document_.list(table, name)) numbers.push_back(document_.number(value));
     if (numbers.size() != otherwise.size())
       file_.reject(fmt::format("'{}' of a node holds {} numbers instead of {}; export the mesh again", name, numbers.size(),
                                otherwise.size()));
     return numbers;
   }
 
-  glm::dmat4 transform_of(const JsonValue& node) const {
-    if (node.find("matrix")) {
+  glm::dmat4 transform_of(const Json& node) const {
+    if (find(node, "matrix")) {
       const std::vector<double> m = numbers_of(node, "matrix", std::vector<double>(16));
       if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
         file_.reject("the matrix of a node does not end in 0, 0, 0, 1; export the mesh again");
@@ -111,35 +112,35 @@ class GltfParser {
                       {s[0], s[1], s[2]});
   }
 
-  void add_mesh(const JsonValue& node, const glm::dmat4& place, std::vector<std::string> names) {
+  void add_mesh(const Json& node, const glm::dmat4& place, std::vector<std::string> names) {
     const std::uint64_t index = document_.required_whole(node, "mesh");
-    const JsonValue& mesh = document_.element("meshes", index);
-    for (const JsonValue* shaped : {&node, &mesh})
-      for (const JsonValue& weight : document_.list(*shaped, "weights"))
+    const Json& mesh = document_.element("meshes", index);
+    for (const Json* shaped : {&node, &mesh})
+      for (const Json& weight : document_.list(*shaped, "weights"))
         if (document_.number(weight) != 0.0)
           file_.reject(fmt::format("meshes[{}] is shaped by morph targets; apply them before the export", index));
-    names.push_back(document_.text(mesh, "name"));
+    names.push_back(text_at(mesh, "name"));
     names.emplace_back();
-    for (const JsonValue& primitive : document_.list(mesh, "primitives")) {
+    for (const Json& primitive : document_.list(mesh, "primitives")) {
       names.back() = material_of(primitive);
       add_primitive(primitive, place, names);
     }
   }
 
-  std::string material_of(const JsonValue& primitive) const {
-    if (!primitive.find("material")) return {};
-    return document_.text(document_.element("materials", document_.required_whole(primitive, "material")), "name");
+  std::string material_of(const Json& primitive) const {
+    if (!find(primitive, "material")) return {};
+    return text_at(document_.element("materials", document_.required_whole(primitive, "material")), "name");
   }
 
-  void add_primitive(const JsonValue& primitive, const glm::dmat4& place, const std::vector<std::string>& names) {
+  void add_primitive(const Json& primitive, const glm::dmat4& place, const std::vector<std::string>& names) {
     const std::uint64_t mode = document_.whole(primitive, "mode", 4);
     if (mode < 4) return;  // points and lines
-    const JsonValue* attributes = primitive.find("attributes");
-    if (!attributes || !attributes->find("POSITION"))
+    const Json* attributes = find(primitive, "attributes");
+    if (!attributes || !find(*attributes, "POSITION"))
       file_.reject("a primitive of a mesh has no POSITION; export it without compression");
     const std::vector<dvec3> points = data_.positions(document_.required_whole(*attributes, "POSITION"));
     const std::vector<std::uint32_t> corners =
-        primitive.find("indices") ? data_.indices(document_.required_whole(primitive, "indices")) : counted(points.size());
+        find(primitive, "indices") ? data_.indices(document_.required_whole(primitive, "indices")) : counted(points.size());
     add_instance(file_, data_.bytes(), points, triangles_of(mode, corners), place, names, soup_);
   }
 

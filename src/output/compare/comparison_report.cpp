@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/decimal.h"
 #include "output/compare/measure_lines.h"
@@ -125,9 +126,41 @@ std::string comparison_text(const Comparison& c) {
   return text;
 }
 
-void write_compare_csv(const std::filesystem::path& file, const Comparison& c) {
+std::string comparison_json(const Comparison& c) {
+  const double relative = relative_error(c);
+  nlohmann::ordered_json json = {{"result", c.result.file.string()},
+                                 {"reference", c.reference.file.string()},
+                                 {"rows", c.rows()},
+                                 {"rows_of_result", c.result.rows.size()},
+                                 {"rows_of_reference", c.reference.rows.size()},
+                                 {"within_db", c.within_db},
+                                 {"relative_error", std::isfinite(relative) ? nlohmann::ordered_json(relative) : nullptr}};
+  for (std::size_t channel = 0; channel < 4; ++channel) {
+    const ErrorMeasures& e = c.errors[channel];
+    if (c.signal[channel])
+      json["channels"][channel_names[channel]] = {{"result_peak_dbsm", e.result_peak_dbsm},
+                                                  {"reference_peak_dbsm", e.reference_peak_dbsm},
+                                                  {"rows_within", e.within},
+                                                  {"rms_db", e.rms_db},
+                                                  {"mean_abs_db", e.mean_abs_db},
+                                                  {"median_abs_db", e.median_abs_db},
+                                                  {"p95_abs_db", e.p95_abs_db},
+                                                  {"largest_abs_db", e.largest_abs_db},
+                                                  {"bias_db", e.bias_db},
+                                                  {"at_peak_db", e.at_peak_db},
+                                                  {"relative_error", e.relative_error},
+                                                  {"austin_db", e.austin_db},
+                                                  {"correlation", e.correlation}};
+  }
+  return json.dump(2);
+}
+
+void write_compare_csv(const std::filesystem::path& file, const Comparison& c, const std::array<std::string, 2>& columns) {
   OutputFile out(file);
-  out.write(csv_comments(c) + csv_header());
+  out.write(csv_comments(c));
+  for (const auto& [option, text] : {std::pair{"--result-columns", columns[0]}, std::pair{"--reference-columns", columns[1]}})
+    if (!text.empty()) out.write(fmt::format("# {} {}\n", option, text));
+  out.write(csv_header());
   for (int channel = 0; channel < 4; ++channel)
     if (c.compared[channel]) out.write(csv_row(c, channel));
   out.commit();

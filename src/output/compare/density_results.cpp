@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/decimal.h"
 #include "core/error.h"
-#include "core/json.h"
+#include "core/ordered_json.h"
 
 namespace raytube {
 
@@ -17,36 +18,37 @@ namespace {
   throw InputError(file.file.string() + ": " + problem);
 }
 
-JsonValue case_of(const ResultFile& file) {
-  const std::optional<JsonValue> resolved = parsed_json(attribute_of(file.result, "case"));
-  if (!resolved || !resolved->find("tubes"))
-    refuse_file(file, "says no case, so that its density is not known; take a file that raytube run has written");
-  return *resolved;
+Json case_of(const ResultFile& file) {
+  Json resolved = json_of(attribute_of(file.result, "case"));
+  if (!find(resolved, "tubes"))
+    refuse_file(file, "holds no case, so that its density is unknown; use a file that raytube run has written");
+  return resolved;
 }
 
 double density_of(const ResultFile& file) {
-  const JsonValue resolved = case_of(file);
-  const JsonValue& tubes = *resolved.find("tubes");
-  const JsonValue *mode = tubes.find("mode"), *clip = tubes.find("clip"), *density = tubes.find("per_wavelength");
-  if (!mode || !density) refuse_file(file, "its case says no tubes.per_wavelength; take a file that raytube run has written");
-  if (mode->text != "uniform" && !(clip && !clip->boolean))
+  const Json resolved = case_of(file);
+  const Json& tubes = resolved["tubes"];
+  const Json *clip = find(tubes, "clip"), *density = find(tubes, "per_wavelength");
+  if (!density || !density->is_number())
+    refuse_file(file, "its case has no tubes.per_wavelength; use a file that raytube run has written");
+  if (text_at(tubes, "mode") != "uniform" && !(clip && *clip == false))
     refuse_file(file, "its tubes are adaptive, without a density to study; run the case with --set tubes.mode=uniform");
-  return density->kind == JsonValue::Kind::whole ? static_cast<double>(density->whole) : density->number;
+  return density->get<double>();
 }
 
 // The case without what may differ.
 std::string comparable_case(const ResultFile& file) {
-  JsonValue resolved = case_of(file);
-  resolved["tubes"]["per_wavelength"] = {};
-  resolved["target"]["mesh"] = {};  // its hash decides
-  for (const char* of_words : {"title", "output"}) resolved[of_words] = {};
-  return json_text(resolved, -1);
+  Json resolved = case_of(file);
+  resolved["tubes"].erase("per_wavelength");
+  resolved["target"].erase("mesh");  // its hash decides
+  for (const char* words : {"title", "output"}) resolved.erase(words);
+  return text_of_json(resolved);
 }
 
 std::uint64_t count_of(const ResultFile& file, const char* name) {
-  const std::optional<JsonValue> counts = parsed_json(attribute_of(file.result, "counts"));
-  const JsonValue* count = counts ? counts->find(name) : nullptr;
-  return count ? count->whole : 0;
+  const Json counts = json_of(attribute_of(file.result, "counts"));
+  const Json* count = find(counts, name);
+  return count && count->is_number() ? count->get<std::uint64_t>() : 0;
 }
 
 void require_alike(const ResultFile& first, const ResultFile& other) {

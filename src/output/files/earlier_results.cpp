@@ -11,7 +11,6 @@
 #include "output/files/files.h"
 #include "output/files/sha256.h"
 #include "output/files/sync.h"
-#include "output/files/unlisted_results.h"
 
 namespace raytube {
 
@@ -48,39 +47,30 @@ EarlierResults::EarlierResults(const fs::path& folder) : folder_(folder) {
   if (is_file(folder / list_name)) list.open(folder / list_name);
   for (std::string line; std::getline(list, line);)
     if (line.size() > digits + 2) entries_.emplace_back(line.substr(digits + 2), line.substr(0, digits));
-  unlisted_ = unlisted_results(folder, [this](const std::string& name) { return lists(name); });
-}
-
-bool EarlierResults::lists(const std::string& name) const {
-  return std::ranges::find(entries_, name, &Entry::first) != entries_.end();
 }
 
 bool EarlierResults::hold(const std::string& name) const {
-  if (unlisted_.contains(name)) return is_file(folder_ / name);
-  if (!lists(name)) return false;
+  if (std::ranges::find(entries_, name, &Entry::first) == entries_.end()) return false;
   return std::ranges::find(entries_, Entry{name, sum_of(folder_ / name)}) != entries_.end();
 }
 
 void EarlierResults::require_room(const std::vector<std::string>& names) const {
   if (const fs::path list = folder_ / list_name; !is_nothing(list) && !is_file(list))
     throw InputError(
-        fmt::format("{}: is where the list of results is to go, and is no file; move it away, or choose another folder "
+        fmt::format("{}: the list of results belongs here, and this is not a file; move it away, or choose another folder "
                     "with -o DIR",
                     list.string()));
   for (const std::string& name : names) {
     const fs::path file = folder_ / name;
     if (is_nothing(file) || hold(name)) continue;
     std::error_code ignored;
-    const char* what = fs::is_directory(file, ignored) ? "is a folder where a result is to go"
-                                                       : "is where a result is to go, and is not what raytube has written there";
+    const char* what = fs::is_directory(file, ignored) ? "is a folder in the place of a result"
+                                                       : "is in the place of a result, and is not as raytube wrote it";
     throw InputError(fmt::format("{}: {}; move it away, or choose another folder with -o DIR", file.string(), what));
   }
 }
 
 void EarlierResults::expect(const fs::path& from, const std::vector<std::string>& names) {
-  for (const std::string& name : unlisted_)
-    if (is_file(folder_ / name)) entries_.emplace_back(name, sha256_of_file(folder_ / name));
-  unlisted_.clear();
   for (const std::string& name : names) expected_.emplace_back(name, sha256_of_file(from / name));
 }
 

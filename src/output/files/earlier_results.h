@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,13 +36,11 @@ class EarlierResults {
 
  private:
   using Entry = std::pair<std::string, std::string>;  // name and SHA-256
-  bool lists(const std::string& name) const;
   void drop_what_is_gone();
   void write(const std::filesystem::path& by_way_of, const std::vector<Entry>& entries) const;
 
   std::filesystem::path folder_;
   std::vector<Entry> entries_, expected_;
-  std::set<std::string> unlisted_;
 };
 
 }  // namespace raytube

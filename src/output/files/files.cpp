@@ -67,6 +67,11 @@ void remove_leftovers(const fs::path& folder, bool own_only) {
 
 }  // namespace
 
+void throw_removed(const fs::path& folder) {
+  throw std::runtime_error(
+      fmt::format("the output folder {} was removed, and the finished work in it is lost; start again", folder.string()));
+}
+
 OutputFolder::OutputFolder(const fs::path& path) {
   std::error_code error;
   path_ = fs::absolute(path, error).lexically_normal();
@@ -95,24 +100,13 @@ OutputFolder::~OutputFolder() {
   remove_if_empty();
 }
 
-bool OutputFolder::is_there() const {
+void OutputFolder::require_there() const {
   const std::lock_guard lock(mutex_);
-  return lock_ && lock_->holds();
-}
-
-bool OutputFolder::make_again_if_gone() {
-  const std::lock_guard lock(mutex_);
-  if (lock_ && lock_->holds()) return false;
-  lock_.reset();
-  std::error_code error;
-  fs::create_directories(path_, error);
-  if (error) not_writable(path_, "was removed, and cannot be created again (" + error.message() + ")");
-  lock_.emplace(path_);
-  return true;
+  if (!lock_->holds()) throw_removed(path_);
 }
 
 void OutputFolder::abandon() const {
-  mutex_.lock();  // for good: whoever finds the folder gone now shall not make it again, but wait for the end
+  mutex_.lock();  // for good: a thread that finds the folder gone now must not report that, but wait for the end
   remove_leftovers(path_, true);
   if (lock_) lock_->remove_file();
   remove_if_empty();

@@ -30,6 +30,9 @@
 
 namespace raytube {
 
+/// Throws std::runtime_error: the folder of the results was removed during the work.
+[[noreturn]] void throw_removed(const std::filesystem::path& folder);
+
 /// The folder results go to, for one program at a time. Created if missing; a folder created here and still empty in the end is
 /// removed again.
 class OutputFolder {
@@ -45,14 +48,11 @@ class OutputFolder {
 
   // The following may be called from any thread.
 
-  /// False if somebody has removed it, or moved it away.
-  bool is_there() const;
+  /// Throws std::runtime_error if the folder was removed or moved away.
+  void require_there() const;
 
-  /// Makes the folder again if it is not there; true if it had to. Throws InputError if that cannot be.
-  bool make_again_if_gone();
-
-  /// Leaves it as the end of the program would, but for the lock: for a program that is about to end without clearing up. Whoever
-  /// asks about the folder afterwards waits for that.
+  /// Clears up as the destructor would, except for the lock: for a program that is about to end without unwinding. A later call
+  /// of require_there() waits for that end.
   void abandon() const;
 
  private:
@@ -61,7 +61,7 @@ class OutputFolder {
   std::filesystem::path path_;
   std::filesystem::path first_created_;  // empty if everything existed
   std::optional<FolderLock> lock_;
-  mutable std::mutex mutex_;  // for lock_
+  mutable std::mutex mutex_;  // held for good by abandon()
 };
 
 /// The files of one run on their way into `destination`: written in folder(), then placed. Whatever was not placed is removed.

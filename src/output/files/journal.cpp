@@ -26,8 +26,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view magic = "raytube journal\n";
 constexpr std::uint64_t identity_key = std::numeric_limits<std::uint64_t>::max();
 
-constexpr std::size_t copied_at_once = 1 << 20;  // [bytes]
-constexpr std::size_t small_record = 1 << 16;    // [bytes] copied to be written with its neighbours
+constexpr std::size_t small_record = 1 << 16;  // [bytes] copied to be written with its neighbours
 
 using Head = std::array<std::uint64_t, 3>;  // key, length, checksum
 
@@ -206,28 +205,6 @@ void Journal::add(const std::vector<JournalRecord>& records) {
 }
 
 bool Journal::is_there() const { return is_still(file_, path_); }
-
-// Every record stays at its place, and the file keeps its descriptor: whoever reads a record meanwhile finds it in either.
-void Journal::write_again() {
-  const std::lock_guard lock(mutex_);
-  const int again = open(path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (again < 0) fail(path_, errno);
-  try {
-    std::string piece;
-    for (std::uint64_t at = 0; at < end_; at += piece.size()) {
-      piece.resize(std::min<std::uint64_t>(end_ - at, copied_at_once));
-      if (!read_at(file_, path_, at, piece.data(), piece.size())) fail(path_, EIO);
-      write_at(again, path_, at, piece);
-    }
-    if (dup3(again, file_, O_CLOEXEC) < 0) fail(path_, errno);
-  } catch (...) {
-    close(again);
-    unlink(path_.c_str());
-    throw;
-  }
-  close(again);
-  sync_folder(path_.parent_path());
-}
 
 void Journal::sync() {
   if (fdatasync(file_) != 0) fail(path_, errno);

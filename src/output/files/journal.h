@@ -54,10 +54,6 @@ class Journal {
   /// False once somebody has removed the file.
   bool is_there() const;
 
-  /// Writes it again then, with all that it holds: what is open can still be read. Throws std::system_error if the disk does not
-  /// take it, or if another one lies there by now.
-  void write_again();
-
   /// Brings to the disk itself what was added so far. Throws std::system_error.
   void sync();
 

@@ -2,6 +2,7 @@
 // docs/reference/files.md.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
@@ -19,5 +20,9 @@ void write_netcdf(const std::filesystem::path& file, const StoredResult& result)
 
 /// Reads what write_netcdf wrote, bit for bit. Throws InputError if the file cannot be read or holds something else.
 StoredResult read_netcdf(const std::filesystem::path& file);
+
+/// The length of a dimension, 0 where there is none: `cross_range_m` tells an image from a result. Throws InputError if the file
+/// cannot be read.
+std::size_t netcdf_dimension(const std::filesystem::path& file, const char* name);
 
 }  // namespace raytube

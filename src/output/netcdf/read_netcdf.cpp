@@ -43,7 +43,7 @@ class ResultReader {
     read_attributes();
     read_axes();
     read_channels();
-    if (file_.has("S_part_re")) read_parts();
+    if (file_.has("S_mechanism_re")) read_mechanisms();
     if (file_.has("model_part_m")) read_model_parts();
     if (file_.has("sigma_incoherent_m2")) read_incoherent();
     return std::move(result_);
@@ -56,7 +56,7 @@ class ResultReader {
     if (file_.dimension("receive") != 2 || file_.dimension("transmit") != 2)
       file_.refuse("its dimensions receive and transmit are not v and h");
     const double rows = static_cast<double>(file_.dimension("look")) * static_cast<double>(file_.dimension("frequency"));
-    const auto sets = static_cast<double>(1 + file_.dimension("part") + file_.dimension("model_part"));
+    const auto sets = static_cast<double>(1 + file_.dimension("mechanism") + file_.dimension("model_part"));
     file_.check_size(4.0 * sizeof(double) * rows * sets);
   }
 
@@ -114,11 +114,11 @@ class ResultReader {
     if (file_.has("model_m")) result_.model_m = errors("model_m");
   }
 
-  void read_parts() {
+  void read_mechanisms() {
     const std::size_t rows = result_.rows();
-    const auto real = file_.numbers("S_part_re", {"part", "look", "frequency", "receive", "transmit"});
-    const auto imaginary = file_.numbers("S_part_im", {"part", "look", "frequency", "receive", "transmit"});
-    for (const std::string& name : file_.labels("part"))
+    const auto real = file_.numbers("S_mechanism_re", {"mechanism", "look", "frequency", "receive", "transmit"});
+    const auto imaginary = file_.numbers("S_mechanism_im", {"mechanism", "look", "frequency", "receive", "transmit"});
+    for (const std::string& name : file_.labels("mechanism"))
       result_.parts.push_back({name, matrices(real, imaginary, result_.parts.size() * rows, rows)});
   }
 
@@ -145,6 +145,11 @@ StoredResult read_netcdf(const std::filesystem::path& file) {
   const Hdf5InUse in_use;
   const OpenNetcdf open(file);
   return ResultReader(open).read();
+}
+
+std::size_t netcdf_dimension(const std::filesystem::path& file, const char* name) {
+  const Hdf5InUse in_use;
+  return OpenNetcdf(file).dimension(name);
 }
 
 }  // namespace raytube

@@ -28,7 +28,7 @@ class ResultWriter {
     file_.dimension("frequency", result_.frequency_hz.size());
     write_axes();
     write_channels();
-    if (!result_.parts.empty()) write_parts();
+    if (!result_.parts.empty()) write_mechanisms();
     if (!result_.model_parts.empty()) write_model_parts();
     if (!result_.incoherent_m2.empty())
       file_.put(
@@ -74,15 +74,15 @@ class ResultWriter {
     if (!rows.empty()) file_.put(channel_variable(name, units, long_name), flat(rows));
   }
 
-  void write_parts() {
+  void write_mechanisms() {
     std::vector<std::string> names;
     for (const StoredPart& part : result_.parts) names.push_back(part.name);
-    file_.labels("part", names, "mechanism; S is the sum over all of them");
+    file_.labels("mechanism", names, "mechanism; S is the sum over all of them");
     for (const ComplexPart which : {ComplexPart::real, ComplexPart::imaginary}) {
       const bool real = which == ComplexPart::real;
-      const int variable =
-          of_rows(file_.variable(real ? "S_part_re" : "S_part_im", {"part", "look", "frequency", "receive", "transmit"}, "m",
-                                 real ? "real part of S by mechanism" : "imaginary part of S by mechanism"));
+      const int variable = of_rows(file_.variable(real ? "S_mechanism_re" : "S_mechanism_im",
+                                                  {"mechanism", "look", "frequency", "receive", "transmit"}, "m",
+                                                  real ? "real part of S by mechanism" : "imaginary part of S by mechanism"));
       for (std::size_t i = 0; i < names.size(); ++i)
         file_.put_member(variable, i, row_shape_, components(result_.parts[i].s, which));
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -18,7 +19,10 @@ namespace {
 
 constexpr int all_digits = 17;  // so that rows add up
 
-std::string head(const CentreLook& look) {
+// In a line.
+std::string head(const CentreLook& look, std::string title) {
+  std::ranges::replace_if(
+      title, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
   std::string text = fmt::format(
       "# Scattering centres of the look theta {}, phi {} degrees at {} Hz, resolved to cubes of {:.6g} m. x_m, y_m, z_m: in the "
       "mesh's "
@@ -29,6 +33,7 @@ std::string head(const CentreLook& look) {
       "within 3 dB of its largest;\n# half of what a cube resolves at most.\n",
       number_text(decimal_degrees(look.direction.theta)), number_text(decimal_degrees(look.direction.phi)),
       number_text(look.frequency), look.side);
+  if (!title.empty()) text += fmt::format("# title: {}\n", title);
   text += "centre,x_m,y_m,z_m,range_m" + amplitude_columns() + ",mechanism";
   for (const char* mechanism : scattering_mechanisms) text += fmt::format(",share_{}", mechanism);
   return text + ",persistence_ghz,persistence_azimuth_deg,persistence_elevation_deg,triangle,part\n";
@@ -70,9 +75,9 @@ std::array<int, 3> color_of(double share) {
 }  // namespace
 
 void write_centres_csv(const std::filesystem::path& file, const ScatteringCentres& found, const CentreLook& look,
-                       const PartOfTriangle& part_of) {
+                       const PartOfTriangle& part_of, const std::string& title) {
   OutputFile out(file);
-  out.write(head(look));
+  out.write(head(look, title));
   for (std::size_t i = 0; i < found.centres.size(); ++i) out.write(centre_text(i + 1, found.centres[i], look, part_of));
   out.write("rest,,,," + amplitudes_text(found.rest, all_digits) + std::string(scattering_mechanisms.size() + 6, ',') + '\n');
   out.commit();
@@ -87,7 +92,7 @@ void write_by_part_csv(const std::filesystem::path& file, const std::vector<Scat
     if (piece.triangle)
       by_part[part_of(*piece.triangle)] += piece.s;
     else
-      by_mechanism[scattering_mechanisms[static_cast<std::size_t>(piece.mechanism)]] += piece.s;
+      by_mechanism[name_of(piece.mechanism)] += piece.s;
   }
   std::vector<std::pair<std::string, ScatteringMatrix>> rows(by_part.begin(), by_part.end());
   std::ranges::stable_sort(rows, std::ranges::greater{}, [](const auto& row) { return frobenius_norm(row.second); });

@@ -23,7 +23,7 @@ using PartOfTriangle = std::function<std::string(std::uint32_t)>;
 
 /// centres.csv: one row per centre, the strongest first, then `rest`, without a place: with it the rows add up to S of the look.
 void write_centres_csv(const std::filesystem::path& file, const ScatteringCentres& found, const CentreLook& look,
-                       const PartOfTriangle& part_of);
+                       const PartOfTriangle& part_of, const std::string& title = "");
 
 /// by_part.csv: S of a look by the parts that currents are on, the strongest first, then of edges, interaction and waves by
 /// mechanism, then of all together.

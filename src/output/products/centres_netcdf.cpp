@@ -67,7 +67,8 @@ void write_triangles(NewNetcdf& out, const Centres& centres, const PartOfTriangl
 }  // namespace
 
 void write_centres_netcdf(const std::filesystem::path& file, const StoredResult& result, const ScatteringCentres& found,
-                          const CentreLook& look, const PartOfTriangle& part_of) {
+                          const CentreLook& look, const PartOfTriangle& part_of,
+                          const std::vector<std::array<dvec3, 2>>& outline) {
   NewNetcdf out(file);
   write_head(out, result, look);
   out.dimension("centre", found.centres.size());
@@ -82,6 +83,7 @@ void write_centres_netcdf(const std::filesystem::path& file, const StoredResult&
   write_shares(out, found.centres);
   write_persistence(out, found.centres, look);
   write_triangles(out, found.centres, part_of);
+  write_outline(out, outline);
   out.write();
 }
 

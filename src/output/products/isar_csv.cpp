@@ -27,12 +27,9 @@ std::string head(const IsarImage& image, const Window& window) {
 }
 
 std::string cell_text(const IsarImage& image, std::size_t index) {
-  std::array<std::size_t, 3> at{};
-  for (std::size_t axis = image.axes.size(), left = index; axis-- > 0; left /= image.grid.count[axis])
-    at[axis] = left % image.grid.count[axis];
+  const dvec3 at = image.coordinates(index), place = image.place_of(at);
   std::string text;
-  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{:.9g},", image.coordinate(axis, at[axis]));
-  const dvec3 place = image.place(index);
+  for (std::size_t axis = 0; axis < image.axes.size(); ++axis) text += fmt::format("{:.9g},", at[static_cast<int>(axis)]);
   text += fmt::format("{:.9g},{:.9g},{:.9g}", place.x + 0.0, place.y + 0.0, place.z + 0.0);
   return text + amplitudes_text(image.s[index], 9) + '\n';
 }

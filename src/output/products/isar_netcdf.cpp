@@ -6,6 +6,7 @@
 #include "output/netcdf/new_netcdf.h"
 #include "output/products/amplitude_variables.h"
 #include "output/products/isar_csv.h"
+#include "output/tables/csv.h"
 
 namespace raytube {
 
@@ -30,10 +31,12 @@ void write_axis(NewNetcdf& out, const IsarImage& image, std::size_t axis) {
 }  // namespace
 
 void write_isar_netcdf(const std::filesystem::path& file, const StoredResult& result, const IsarImage& image,
-                       const Window& window) {
+                       const Window& window, const std::vector<std::array<dvec3, 2>>& outline) {
   NewNetcdf out(file);
-  out.describe(result);
-  out.attribute("window", description_of(window));
+  describe_product(out, result, window);
+  const auto& [at, amplitude] = image.peak;
+  out.attribute("peak_dbsm", std::array{sigma_dbsm(amplitude)});
+  out.attribute("peak_place_m", std::array{at.x + 0.0, at.y + 0.0, at.z + 0.0});
   std::vector<std::string> axes;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
     write_axis_attributes(out, image, axis);
@@ -42,6 +45,8 @@ void write_isar_netcdf(const std::filesystem::path& file, const StoredResult& re
   }
   out.polarisations();
   write_amplitudes(out, axes, "ISAR image I", "", image.s);
+  if (!outline.empty()) out.labels("xyz", {"x", "y", "z"}, "axis of the mesh's coordinates");
+  write_outline(out, outline);
   out.write();
 }
 

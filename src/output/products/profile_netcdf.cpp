@@ -13,8 +13,10 @@ namespace {
 constexpr const char* of_looks = "theta_deg phi_deg rx_theta_deg rx_phi_deg";
 
 void write_head(NewNetcdf& out, const StoredResult& result, const RangeProfiles& profiles, const Window& window) {
-  out.describe(result);
-  out.attribute("window", description_of(window));
+  describe_product(out, result, window);
+  out.attribute("peak_dbsm", std::array{sigma_dbsm(profiles.peak.amplitude)});
+  out.attribute("peak_range_m", std::array{profiles.peak.range});
+  out.attribute("peak_look", std::array{static_cast<double>(profiles.peak.look)});
   out.attribute("range_resolution_m", std::array{profiles.limits.resolution});
   out.attribute("range_unambiguous_m", std::array{profiles.limits.unambiguous});
   out.attribute("range_direction",

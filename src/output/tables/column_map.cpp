@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/error.h"
@@ -57,15 +58,47 @@ ColumnChoice parsed_choice(const std::string& option, const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   ColumnChoice choice{lower_case(text.substr(0, equals)), {}};
   if (equals == text.size() || !read_source(text.substr(equals + 1), choice))
-    throw InputError(
-        fmt::format("{} {}: write OURS=THEIRS, with *FACTOR and +OFFSET where units differ, for example freq_hz=f*1e9", option,
-                    quotable(text)));
+    throw InputError(fmt::format(
+        "{} {}: write OURS=THEIRS, with *FACTOR and +OFFSET where units differ, for example freq_hz=f*1e9, or a preset: hfss, "
+        "feko, matlab or azel",
+        option, quotable(text)));
   if (const std::vector<std::string> known = known_columns(); std::ranges::find(known, choice.ours) == known.end())
     throw InputError(fmt::format("{} {}: {} is no column of a result; write one of {}", option, quotable(text),
                                  quotable(choice.ours), joined(known, ", ")));
   if (!is_a_number(choice.ours) && (choice.factor != 1.0 || choice.offset != 0.0))
     throw InputError(fmt::format("{} {}: {} takes no factor and no offset; leave them out", option, text, choice.ours));
   return choice;
+}
+
+constexpr const char* azimuth_and_elevation =
+    "phi_deg=azimuth_deg,phi_deg=azimuth,phi_deg=az_deg,phi_deg=az,theta_deg=elevation_deg*-1+90,theta_deg=elevation*-1+90,"
+    "theta_deg=el_deg*-1+90,theta_deg=el*-1+90";
+
+// HFSS' amplitudes have sigma as their squared magnitude, which makes them sqrt(4 pi) S; a report with and without units names
+// columns "X []" and "X". Waves come in with the E field along theta.
+constexpr const char* hfss_angles_and_frequency =
+    R"(freq_hz="Freq [GHz]",freq_hz="Freq [MHz]",freq_hz="Freq [Hz]",theta_deg="IWaveTheta [deg]",phi_deg="IWavePhi [deg]")";
+
+std::string hfss_channels() {
+  std::string text;
+  for (const auto& [pq, angle] : {std::pair{"vv", "Theta"}, {"hv", "Phi"}})
+    for (const char* units : {" []", ""}) {
+      for (const char* part : {"re", "im"})
+        text += fmt::format(",{}_{}=\"{}(ComplexMonostaticRCS{}){}\"*{:.17g}", part, pq, part, angle, units, 0.5 / std::sqrt(pi));
+      text += fmt::format(",sigma_{}_dbsm=\"dB(MonostaticRCS{}){}\"", pq, angle, units);
+    }
+  return text;
+}
+
+// What a preset stands for; empty: there is none of that name.
+std::string preset(std::string_view name) {
+  if (name == "azel") return azimuth_and_elevation;
+  if (name == "matlab")
+    return azimuth_and_elevation + std::string(",freq_hz=frequency,freq_hz=freq,sigma_vv_dbsm=rcs,sigma_vv_dbsm=rcsval");
+  if (name == "feko")
+    return R"feko(freq_hz=Frequency,theta_deg=Theta,phi_deg=Phi,sigma_vv_m2="RCS(Theta)",sigma_hv_m2="RCS(Phi)")feko";
+  if (name == "hfss") return hfss_angles_and_frequency + hfss_channels();
+  return {};
 }
 
 // The next comma that is not between double quotes.
@@ -75,18 +108,33 @@ std::size_t end_of_choice(const std::string& text, std::size_t at) {
   return at;
 }
 
+ColumnMap preset_columns(const std::string& option, const std::string& columns) {
+  ColumnMap map;
+  for (std::size_t at = 0, end = 0; at < columns.size(); at = end + 1) {
+    end = end_of_choice(columns, at);
+    map.push_back(parsed_choice(option, columns.substr(at, end - at)));
+    map.back().if_there = true;
+  }
+  return map;
+}
+
 }  // namespace
 
 ColumnMap parsed_column_map(const std::string& option, const std::string& text) {
-  ColumnMap map;
+  ColumnMap map, preset_map;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = end_of_choice(text, at);
-    map.push_back(parsed_choice(option, text.substr(at, end - at)));
+    const std::string choice = text.substr(at, end - at);
+    if (const std::string columns = preset(lower_case(choice)); columns.empty())
+      map.push_back(parsed_choice(option, choice));
+    else
+      std::ranges::copy(preset_columns(option, columns), std::back_inserter(preset_map));
     at = end + 1;
   }
   for (std::size_t i = 0; i < map.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (map[i].ours == map[j].ours) throw InputError(fmt::format("{}: {} is given twice; leave one out", option, map[i].ours));
+  std::ranges::copy(preset_map, std::back_inserter(map));
   return map;
 }
 

@@ -214,20 +214,12 @@ void write_power_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   out.commit();
 }
 
-std::string part_label(const std::string& name) {
-  if (name.starts_with("bounce")) return "bounce " + name.substr(6);
-  if (name == "edges_first_order") return "edges, order 1";
-  if (name == "edges_second_order") return "edges, orders 2 and 3";
-  if (name == "between") return "edge\u2013face interaction";
-  return name == "surface" ? "waves over curved surfaces" : name;
-}
-
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
   std::string header = conventions(result) + antenna_note(sweep.looks.front().far()) + key_columns;
-  for (std::size_t m = 0; m < bounces; ++m) header += complex_columns(fmt::format("_bounce{}", m + 1));
-  for (const Part part : all_parts) header += complex_columns(fmt::format("_{}", column_of(part)));
+  for (std::size_t m = 0; m < bounces; ++m) header += complex_columns('_' + bounce_name(m));
+  for (const Part part : all_parts) header += complex_columns(std::string("_") + name_of(part));
   for (const ModelPart& part : result.model_parts)
     for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
   out.write(header + '\n');

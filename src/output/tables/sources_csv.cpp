@@ -49,6 +49,27 @@ std::string row(const SourceRun& run, const PartHits& part, const std::string& n
   return fmt::format("{},{},{},{},{},{},{:.4g}\n", position, counts, shares, run.escaped, run.absorbed, run.cut, run.seconds);
 }
 
+struct MarkedPoint {
+  dvec3 point;
+  LaunchModel model;
+  std::uint32_t bounce;
+};
+
+void write_points_ply(const std::filesystem::path& path, const std::string& what, const std::vector<MarkedPoint>& points,
+                      bool bounces) {
+  OutputFile file(path);
+  file.write("ply\nformat ascii 1.0\ncomment " + what + ", lengths in m; model:");
+  for (std::size_t i = 0; i < launch_model_names.size(); ++i) file.write(fmt::format(" {} {}", i, launch_model_names[i]));
+  file.write(
+      fmt::format("\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\nproperty uchar model\n{}"
+                  "end_header\n",
+                  points.size(), bounces ? "property ushort bounce\n" : ""));
+  for (const MarkedPoint& p : points)
+    file.write(fmt::format("{} {} {} {}{}\n", number_text(p.point.x), number_text(p.point.y), number_text(p.point.z),
+                           static_cast<int>(p.model), bounces ? fmt::format(" {}", p.bounce) : ""));
+  file.commit();
+}
+
 }  // namespace
 
 void write_sources_csv(const std::filesystem::path& path, const SourceStudy& study) {
@@ -60,21 +81,18 @@ void write_sources_csv(const std::filesystem::path& path, const SourceStudy& stu
   file.commit();
 }
 
-void write_hits_ply(const std::filesystem::path& path, const SourceStudy& study) {
-  std::size_t count = 0;
-  for (const SourceView& view : study.views) count += view.hits.size();
-  OutputFile file(path);
-  file.write("ply\nformat ascii 1.0\ncomment hits on " + study.part_names[study.counted] + ", lengths in m; model:");
-  for (std::size_t i = 0; i < launch_model_names.size(); ++i) file.write(fmt::format(" {} {}", i, launch_model_names[i]));
-  file.write(
-      fmt::format("\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\nproperty uchar model\n"
-                  "property ushort bounce\nend_header\n",
-                  count));
+void write_launch_ply(const std::filesystem::path& path, const SourceStudy& study) {
+  std::vector<MarkedPoint> points;
   for (const SourceView& view : study.views)
-    for (const CountedHit& hit : view.hits)
-      file.write(fmt::format("{} {} {} {} {}\n", number_text(hit.point.x), number_text(hit.point.y), number_text(hit.point.z),
-                             static_cast<int>(view.model), hit.bounce));
-  file.commit();
+    for (const dvec3& point : view.launch_points) points.push_back({point, view.model, 0});
+  write_points_ply(path, "launch points", points, false);
+}
+
+void write_hits_ply(const std::filesystem::path& path, const SourceStudy& study) {
+  std::vector<MarkedPoint> points;
+  for (const SourceView& view : study.views)
+    for (const CountedHit& hit : view.hits) points.push_back({hit.point, view.model, hit.bounce});
+  write_points_ply(path, "hits on " + study.part_names[study.counted], points, true);
 }
 
 }  // namespace raytube

@@ -17,8 +17,8 @@ namespace {
 
 std::vector<StoredPart> stored_parts(const SweepResult& result) {
   std::vector<StoredPart> kept;
-  for (const auto& rows : result.bounces) kept.push_back({fmt::format("bounce{}", kept.size() + 1), rows});
-  for (const Part part : all_parts) kept.push_back({column_of(part), result.parts[part]});
+  for (const auto& rows : result.bounces) kept.push_back({bounce_name(kept.size()), rows});
+  for (const Part part : all_parts) kept.push_back({name_of(part), result.parts[part]});
   return kept;
 }
 

@@ -117,6 +117,7 @@ TableHeader::TableHeader(std::string location, std::vector<std::string> names, C
     : location_(std::move(location)), names_(std::move(names)), map_(std::move(map)), option_(std::move(option)) {
   for (std::string& name : names_)
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::erase_if(map_, [&](const ColumnChoice& choice) { return choice.if_there && !column(choice.theirs); });
   for (const ColumnChoice& choice : map_)
     if (!column(choice.theirs))
       reject(fmt::format("no column is named {}; choose among {} in {}", quotable(choice.theirs), first_of(names_), option_));

@@ -1,5 +1,7 @@
 #include "output/vtk/vtk_file.h"
 
+#include <openssl/evp.h>
+
 #include <bit>
 #include <cstring>
 #include <numeric>
@@ -55,17 +57,11 @@ void write_section(OutputFile& out, std::string_view name, const VtkData& data) 
   data(out);
 }
 
-// RFC 4648, sec. 4.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t triple = 0;
-    for (std::size_t j = i; j < i + 3; ++j) triple = triple << 8 | (j < bytes.size() ? static_cast<unsigned char>(bytes[j]) : 0u);
-    for (const int shift : {18, 12, 6, 0}) text += letters[triple >> shift & 63];
-  }
-  for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing) text[text.size() - missing] = '=';
+std::string base64(const std::string& bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // with the zero that OpenSSL puts at the end
+  EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()), reinterpret_cast<const unsigned char*>(bytes.data()),
+                  static_cast<int>(bytes.size()));
+  text.pop_back();
   return text;
 }
 

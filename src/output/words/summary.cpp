@@ -194,9 +194,9 @@ std::string model_uncertainty_text(const SweepResult& result) {
 }
 
 std::string largest_part_text(const ModelPart& largest) {
-  const bool none = largest.remedy.starts_with(no_remedy);
-  const std::string handle = none ? "no key reduces it" + largest.remedy.substr(no_remedy.size()) : "remedy: " + largest.remedy;
-  return fmt::format("mostly {} ({:.0f} %); {}", largest.what, 100.0 * largest.share, handle);
+  // Where nothing that the user can set reduces it, run.json says so; as the last words of a run that would sound like a failure.
+  const std::string handle = largest.remedy.starts_with(no_remedy) ? "" : "; remedy: " + largest.remedy;
+  return fmt::format("mostly {} ({:.0f} %){}", largest.what, 100.0 * largest.share, handle);
 }
 
 std::string beyond_bound_sentence(const BeyondBound& part) {
@@ -230,8 +230,21 @@ std::string lost_rays_sentence(const Statistics& statistics, double metres_per_u
       statistics.lost_rays, statistics.rays, where);
 }
 
+dvec3 size_of(std::span<const dvec3> points) {
+  dvec3 low = points[0], high = points[0];
+  for (const dvec3& point : points) low = glm::min(low, point), high = glm::max(high, point);
+  return high - low;
+}
+
+std::string size_text(const dvec3& size, double frequency) {
+  const dvec3 waves = size / wavelength(frequency);
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m; {:.3g} x {:.3g} x {:.3g} wavelengths at {} GHz", size.x, size.y, size.z,
+                     waves.x, waves.y, waves.z, number_text(frequency / 1e9));
+}
+
 std::string summary_text(const SweepResult& result, const RunFacts& facts) {
-  std::string text = work_lines(result, facts);
+  std::string text = facts.size.empty() ? "" : line("size", facts.size);
+  text += work_lines(result, facts);
   for (const Skipped& skipped : result.statistics.skipped)
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));

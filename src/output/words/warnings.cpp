@@ -71,12 +71,12 @@ std::string sentence(const CoarseSteps& steps) {
   if (steps.quantity == RowCoordinates::frequency)
     return fmt::format(
         "sampling: steps of {:.4g} GHz in frequency are too wide for a range profile: it repeats after {:.3g} m, and the target "
-        "is {:.3g} m deep; take steps of {:.2g} GHz or less, or read each row by itself (plots show points and what sliding "
-        "sectors hold, not lines)",
+        "is {:.3g} m deep; take steps of {:.2g} GHz or less, or read each row by itself (rcs.png shows points, not "
+        "lines)",
         steps.step, unambiguous_range(steps.step), unambiguous_range(steps.limit), rounded_down(steps.limit));
   return fmt::format(
       "sampling: steps of {:.4g} deg in {} are too wide for this target's lobes, which require {:.2g} deg or less; take finer "
-      "steps, or read each row by itself (plots show points and what sliding sectors hold, not lines)",
+      "steps, or read each row by itself (rcs.png shows points, not lines)",
       steps.step, names[steps.quantity], rounded_down(steps.limit));
 }
 
@@ -105,14 +105,19 @@ std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& la
   return sentences;
 }
 
-std::vector<std::string> validity_warnings(const Validity& v) {
+std::vector<std::string> validity_warnings(const Validity& v, const MeshUnit& unit) {
+  const std::string size = fmt::format("{:.4g} {}, is {:.2g} wavelengths at {:.4g} GHz", too_small(v) ? v.extent * 1e3 : v.extent,
+                                       too_small(v) ? "mm" : "m", v.extent / wavelength(v.frequency), v.frequency / 1e9);
+  const std::string check = plausible(v) ? "" : fmt::format("check target.unit, which is \"{}\"", unit.name);
   if (too_small(v))
-    return {
-        fmt::format("validity: the target's largest extent, {:.4g} mm, is {:.2g} wavelengths at {:.4g} GHz, and the methods "
-                    "require {:.0f}; below {:.4g} GHz treat results as approximate, or use a full-wave program",
-                    v.extent * 1e3, v.extent / wavelength(v.frequency), v.frequency / 1e9, least_wavelengths,
-                    least_wavelengths * speed_of_light / v.extent / 1e9)};
+    return {fmt::format(
+        "validity: the target's largest extent, {}, and the methods require {:.0f}; {}below {:.4g} GHz treat "
+        "results as approximate, or use a full-wave program",
+        size, least_wavelengths, check.empty() ? "" : check + "; ", least_wavelengths * speed_of_light / v.extent / 1e9)};
   std::vector<std::string> sentences;
+  if (!check.empty())
+    sentences.push_back(
+        fmt::format("size: the target's largest extent, {}, and few radar targets are so large; {}", size, check));
   if (matters(v.parts))
     sentences.push_back(
         fmt::format("validity: {} separate parts, {} of the surface, are smaller than {}; treat their return as approximate, or "

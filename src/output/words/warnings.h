@@ -26,8 +26,9 @@ std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const Mesh
 std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& layers, std::span<const Material> materials,
                                               const MeshUnit& unit);
 
-/// One sentence for each kind of feature too small for the methods; of a target too small as a whole only that.
-std::vector<std::string> validity_warnings(const Validity& validity);
+/// One sentence for each kind of feature too small for the methods; of a target too small as a whole only that. Of a target
+/// so large or small that another unit was likely meant, the sentence names target.unit.
+std::vector<std::string> validity_warnings(const Validity& validity, const MeshUnit& unit = {});
 
 /// One sentence for each swept quantity.
 std::vector<std::string> sampling_warnings(const std::vector<CoarseSteps>& steps);

@@ -31,7 +31,7 @@ void merge_command(const Request& request) {
   check_output(destination.folder, names_of_results(run, c, destination), input_files(c));
   LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));
   PreparedRun prepared = prepared_run(run, read, c, total);
-  const std::size_t looks = prepared.plan->looks.computed.size();
+  const std::size_t looks = prepared.planned->plan.looks.computed.size();
   shards.require(identity_of(c, prepared.manifest), looks);
   const MergedLooks merged{shards.looks(), looks};
   run_into_folder(run, prepared, destination, &merged, total);

@@ -15,7 +15,9 @@ namespace raytube {
 /// The case with what one netCDF file alone means for it. Throws InputError for what such a file has no place for.
 Case case_for(const Destination& destination, const Request& request, Case c);
 
-ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination);
+/// `product`: what else is written into the folder.
+ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination,
+                             const ResultNames& product = {});
 
 /// What a run with other wishes may have left, and a page that tells of the results that are replaced. One file replaces nothing
 /// but itself.

@@ -3,31 +3,27 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 
 #include "core/text.h"
-#include "jobs/result_warnings.h"
-#include "jobs/warnings/warnings.h"
 #include "output/compare/random_report.h"
 #include "output/files/files.h"
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
-#include "output/plots/parts_plot.h"
-#include "output/plots/plot.h"
+#include "output/picture/rcs_picture.h"
 #include "output/tables/csv.h"
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
 #include "program/helping.h"
 #include "program/images.h"
+#include "program/python.h"
 #include "program/solve_warnings.h"
 #include "program/work/interrupt.h"
 #include "program/work/look_journal.h"
 #include "program/work/progress_bar.h"
 #include "ranks/ranks.h"
-#include "scene/sampling.h"
-#include "solve/random.h"
-#include "solve/solve.h"
 
 namespace raytube {
 
@@ -35,29 +31,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What goes into the tables; by chance, the mean of the random runs.
-struct Solved {
-  SweepResult result;
-  std::optional<RandomResult> by_chance = {};
-};
-
-Solved solve_with_progress(const SolvePlan& plan, const Request& request, LookJournal& journal, const KeptLooks& kept,
-                           std::size_t known) {
-  ProgressBar bar(request.quiet, work_text(plan), static_cast<double>(known) / static_cast<double>(plan.looks.computed.size()));
-  const auto progress = [&](double share) {
-    bar.show(share);
-    journal.write_now_and_then();
-    return !InterruptFlag::raised();
-  };
-  if (!request.random) return {solve(plan, progress, kept, team_of(request))};
-  RandomResult random = solve_with_random_tubes(plan, *request.random, progress, team_of(request));
-  return {random.mean, std::move(random)};
-}
-
-std::string note_of(const Solved& solved) { return solved.by_chance ? random_note(solved.by_chance->options) : ""; }
+std::string note_of(const SolvedCase& solved) { return solved.by_chance ? random_note(solved.by_chance->options) : ""; }
 
 // Those beside rcs.csv.
-void write_tables(const fs::path& folder, const Case& c, const Solved& solved, bool parts) {
+void write_tables(const fs::path& folder, const Case& c, const SolvedCase& solved, bool parts) {
   const auto& [result, by_chance] = solved;
   write_channels_csv(folder / "channels.csv", c.sweep, result);
   stop_if_interrupted();
@@ -68,12 +45,16 @@ void write_tables(const fs::path& folder, const Case& c, const Solved& solved, b
   stop_if_interrupted();
 }
 
-void draw_plots(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost, bool parts) {
-  std::string trouble = plot_rcs(folder, c.title, c.sweep, result, outermost);
+// The plain picture of the result, and by the Python package those of the tables that only some runs have.
+void draw_pictures(const fs::path& folder, const Case& c, const SweepResult& result, std::span<const dvec3> outermost,
+                   bool parts) {
+  if (const std::string trouble = draw_rcs(folder, c.title, c.sweep, result, outermost); !trouble.empty()) warn(trouble);
   stop_if_interrupted();
-  if (trouble.empty() && parts) trouble = plot_parts(folder, c.title, c.sweep, result, outermost);
+  std::vector<std::string> tables = image_tables(c);
+  if (parts) tables.emplace_back("parts.csv");
+  if (tables.empty()) return;
+  if (const std::string trouble = draw_with_python(folder, tables, folder); !trouble.empty()) warn(trouble);
   stop_if_interrupted();
-  if (!trouble.empty()) warn(trouble);
 }
 
 std::uint64_t peak_rss_bytes() {
@@ -85,21 +66,22 @@ std::uint64_t peak_rss_bytes() {
 // A run from the computation on, into its folder.
 class Run {
  public:
-  Run(const Request& request, PreparedRun& prepared, const Destination& destination, const MergedLooks* merged)
+  Run(const Request& request, PreparedRun& prepared, const Destination& destination, const MergedLooks* merged, Product* product)
       : request_(request),
         case_(prepared.c),
-        report_(prepared.report),
-        plan_(*prepared.plan),
-        outermost_(outermost_points(plan_.target.mesh.vertices)),
+        planned_(*prepared.planned),
+        plan_(planned_.plan),
+        outermost_(prepared.outermost),
         manifest_(prepared.manifest),
         destination_(destination),
         merged_(merged),
+        product_(product),
         folder_(destination.folder),
         journal_(
             LookJournal::file_in(folder_.path()), [this] { return identity_of(case_, manifest_); },
-            [this] { make_again_if_gone(folder_); }) {
+            [this] { folder_.require_there(); }) {
     if (request.resume && !journal_.resume())
-      warn(fmt::format("nothing to resume in {}: the run starts afresh", folder_.path().string()));
+      warn(fmt::format("nothing to resume in {}: the run starts from the beginning", folder_.path().string()));
     if (!request.resume)
       LookJournal::refuse_leftover(journal_.file());  // once more: since the first time the folder was free for others
   }
@@ -108,11 +90,10 @@ class Run {
   /// rows that must not be used.
   void run(const Stopwatch& total) {
     const InterruptFlag interrupt_flag([this] { return last_words(); });
-    warnings_ = warnings_of(case_, plan_, outermost_);
-    for (const std::string& sentence : warnings_) warn(sentence);
+    for (const std::string& sentence : planned_.warnings) warn(sentence);
     bool unusable = false;
     try {
-      const Solved solved = solve_with_progress(plan_, request_, journal_, merged_ ? merged_->looks : journal_.looks(), known());
+      const SolvedCase solved = solve();
       if (request_.ranks) request_.ranks->end();
       journal_.keep_all();
       unusable = warn_of_unusable_rows(solved.result.statistics);
@@ -123,6 +104,7 @@ class Run {
       throw Interrupted(interrupted_sentence());
     } catch (const std::exception&) {
       if (const std::string kept = journal_.keep_all(); !kept.empty()) warn(kept);
+      folder_.require_there();
       throw;
     }
     if (unusable) throw unusable_rows_in(folder_.path());
@@ -132,63 +114,67 @@ class Run {
   // Looks that need not be computed.
   std::size_t known() const { return merged_ ? merged_->count : journal_.resumed(); }
 
-  // Once more if somebody removes the folder meanwhile.
-  void write(const Solved& solved, const Stopwatch& total) {
-    try {
-      write_into_folder(solved, total);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const std::runtime_error&) {
-      if (folder_.is_there()) throw;
-      write_into_folder(solved, total);
-    }
+  SolvedCase solve() {
+    const double all = static_cast<double>(plan_.looks.computed.size());
+    ProgressBar bar(request_.quiet, work_text(plan_), static_cast<double>(known()) / all);
+    const auto progress = [&](double share) {
+      bar.show(share);
+      journal_.write_now_and_then();
+      return !InterruptFlag::raised();
+    };
+    manifest_.looks_resumed = known();
+    return solve_case(planned_, manifest_, progress, merged_ ? merged_->looks : journal_.looks(), team_of(request_));
   }
 
-  void write_into_folder(const Solved& solved, const Stopwatch& total) {
-    make_again_if_gone(folder_);
+  void write(const SolvedCase& solved, const Stopwatch& total) {
+    folder_.require_there();
     NewResults results(folder_.path());
-    complete_manifest(solved);
     write_rcs_csv(results.folder() / "rcs.csv", case_.sweep, solved.result, note_of(solved));
     stop_if_interrupted();
     manifest_.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
-    if (case_.netcdf) write_netcdf_of(solved, results.folder());
+    if (case_.netcdf && !(product_ && destination_.one_file())) write_netcdf_of(solved, results.folder());
     if (!destination_.one_file()) write_others(solved, results.folder(), total);
-    replace_results(results, folder_.path(), names_of_results(request_, case_, destination_),
+    if (product_) {
+      product_->source.result = stored_result(solved);
+      product_text_ = product_->make();
+      product_->write(results.folder(), destination_, case_.netcdf);
+    }
+    replace_results(results, folder_.path(),
+                    names_of_results(request_, case_, destination_, product_ ? product_->names : ResultNames{}),
                     names_of_earlier_results(destination_), [this] { complete_ = true; });
     journal_.remove();
   }
 
-  void complete_manifest(const Solved& solved) {
-    const auto& [result, by_chance] = solved;
-    add_result(manifest_, result, warnings_of_result(warnings_, case_, plan_.target, report_, result.statistics));
-    manifest_.looks_resumed = known();
-    if (by_chance) manifest_.random = {by_chance->options, by_chance->run_s, by_chance->deterministic.statistics.solve_s};
-  }
-
-  void write_netcdf_of(const Solved& solved, const fs::path& folder) const {
+  StoredResult stored_result(const SolvedCase& solved) const {
     StoredResult result = stored(case_.sweep, solved.result, note_of(solved));
     result.attributes = attributes_of(manifest_);
-    write_netcdf(folder / (destination_.one_file() ? destination_.file : "rcs.nc"), result);
+    return result;
+  }
+
+  void write_netcdf_of(const SolvedCase& solved, const fs::path& folder) const {
+    write_netcdf(folder / (destination_.one_file() ? destination_.file : "rcs.nc"), stored_result(solved));
     stop_if_interrupted();
   }
 
   // What comes beside rcs.csv and rcs.nc.
-  void write_others(const Solved& solved, const fs::path& folder, const Stopwatch& total) {
+  void write_others(const SolvedCase& solved, const fs::path& folder, const Stopwatch& total) {
     write_tables(folder, case_, solved, request_.parts);
-    const double drawing_s = write_images(folder, plan_, case_);
+    write_images(folder, plan_, case_);
     manifest_.peak_rss_bytes = peak_rss_bytes();
-    manifest_.time.total_s = total.seconds() - drawing_s;
+    manifest_.time.total_s = total.seconds();
     write_manifest(folder / "run.json", manifest_);
-    if (case_.plots) draw_plots(folder, case_, solved.result, outermost_, request_.parts);
+    if (case_.plots) draw_pictures(folder, case_, solved.result, outermost_, request_.parts);
   }
 
-  void print(const Solved& solved) const {
+  void print(const SolvedCase& solved) const {
     if (solved.by_chance) fmt::print("{}", random_text(*solved.by_chance));
     fmt::print("{}", summary_text(solved.result, facts()));
+    fmt::print("{}", product_text_);
   }
 
   RunFacts facts() const {
-    return {case_.tubes,
+    return {size_text(size_of(plan_.target.mesh.vertices), std::ranges::max(case_.sweep.frequencies)),
+            case_.tubes,
             !case_.sweep.materials.empty(),
             request_.random.has_value(),
             manifest_.threads,
@@ -211,13 +197,14 @@ class Run {
 
   const Request& request_;
   const Case& case_;
-  const MeshReport& report_;
+  const PlannedCase& planned_;
   const SolvePlan& plan_;
-  std::vector<std::string> warnings_;  // of case and plan
-  std::vector<dvec3> outermost_;       // points of the target as wide as all of it
+  const std::vector<dvec3>& outermost_;
   Manifest& manifest_;
   const Destination& destination_;
   const MergedLooks* merged_;
+  Product* product_;
+  std::string product_text_;
   OutputFolder folder_;
   LookJournal journal_;
   std::atomic<bool> complete_ = false;
@@ -226,8 +213,8 @@ class Run {
 }  // namespace
 
 void run_into_folder(const Request& request, PreparedRun& prepared, const Destination& destination, const MergedLooks* merged,
-                     const Stopwatch& total) {
-  Run(request, prepared, destination, merged).run(total);
+                     const Stopwatch& total, Product* product) {
+  Run(request, prepared, destination, merged, product).run(total);
 }
 
 }  // namespace raytube

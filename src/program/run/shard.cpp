@@ -35,8 +35,8 @@ std::size_t slurm_number(const char* variable) {
   const std::optional<std::size_t> number = text ? whole_number(text) : std::nullopt;
   if (!number)
     throw InputError(
-        fmt::format("--shard slurm: {} is not set; only the tasks of a job array (sbatch --array=1-N) have it, "
-                    "elsewhere write --shard I/N",
+        fmt::format("--shard slurm: {} is not set; only the tasks of a job array (sbatch --array=1-N) have it; "
+                    "otherwise write --shard I/N",
                     variable));
   return *number;
 }
@@ -47,15 +47,15 @@ Shard shard_of_array() {
                     last = slurm_number("SLURM_ARRAY_TASK_MAX"), count = slurm_number("SLURM_ARRAY_TASK_COUNT");
   if (last - first + 1 != count)
     throw InputError(
-        fmt::format("--shard slurm: the job array has {} tasks from {} to {}, with gaps; for shards that are run "
-                    "again write --shard $SLURM_ARRAY_TASK_ID/N, N of the whole array",
+        fmt::format("--shard slurm: the job array has {} tasks from {} to {}, with gaps; to run some shards again "
+                    "write --shard $SLURM_ARRAY_TASK_ID/N, with the N of the whole array",
                     count, first, last));
   return {task - first, count};
 }
 
 // Computes it; the progress is of this shard alone.
 void compute(const Request& request, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
-  const std::size_t looks = shard.size(prepared.plan->looks.computed.size());
+  const std::size_t looks = shard.size(prepared.planned->plan.looks.computed.size());
   ProgressBar bar(request.quiet, fmt::format("shard {}: {}", shard_text(shard), looks_text(looks)),
                   looks > 0 ? static_cast<double>(journal.resumed()) / static_cast<double>(looks) : 1.0);
   const auto progress = [&](double share) {
@@ -63,7 +63,7 @@ void compute(const Request& request, const PreparedRun& prepared, const Shard& s
     journal.write_now_and_then();
     return !InterruptFlag::raised();
   };
-  solve_shard(*prepared.plan, shard, progress, journal.looks(), team_of(request));
+  solve_shard(prepared.planned->plan, shard, progress, journal.looks(), team_of(request));
   if (request.ranks) request.ranks->end();
   journal.complete();
 }
@@ -83,22 +83,13 @@ void refuse_others(const fs::path& folder, const Shard& shard) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == shard_ending && !entry.path().filename().string().ends_with(own))
       throw InputError(
-          fmt::format("--shard {}: {} is of another number of shards; write --shard I/N with that N, or choose another "
-                      "folder with -o DIR",
+          fmt::format("--shard {}: {} belongs to another number of shards; write --shard I/N with that N, or choose "
+                      "another folder with -o DIR",
                       shard_text(shard), entry.path().string()));
 }
 
-// A disk that takes no more takes nothing now either.
-std::string kept_sentence(LookJournal& journal) {
-  try {
-    return journal.keep_all();
-  } catch (const std::exception&) {
-    return {};
-  }
-}
-
 std::string interrupted_sentence(LookJournal& journal) {
-  const std::string kept = kept_sentence(journal);
+  const std::string kept = journal.keep_all();
   return kept.empty() ? Interrupted().what() : "interrupted; " + kept;
 }
 
@@ -108,7 +99,7 @@ void compute_and_keep(const Request& request, const PreparedRun& prepared, const
   } catch (const Interrupted&) {
     throw Interrupted(interrupted_sentence(journal));
   } catch (const std::exception&) {
-    if (const std::string kept = kept_sentence(journal); !kept.empty()) warn(kept);
+    if (const std::string kept = journal.keep_all(); !kept.empty()) warn(kept);
     throw;
   }
 }
@@ -144,23 +135,25 @@ void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
   const Shard shard = shard_of_text(*request.shard);
   const Destination destination = destination_of(request.output_folder, c.file.parent_path() / "out", "rcs.csv");
   if (destination.one_file())
-    throw InputError(fmt::format("-o {}: a shard is a part of a result; give a folder, and -o FILE.nc to raytube merge",
+    throw InputError(fmt::format("-o {}: a shard is only part of a result; give a folder here, and -o FILE.nc to raytube merge",
                                  request.output_folder.string()));
   if (request.random) throw InputError("--shard: random tubes are drawn anew as a whole; leave out --shard or --launch random");
   const PreparedRun prepared = prepared_run(request, c, c, total);
   const fs::path folder = fs::absolute(destination.folder), file = folder / shard_file_name(shard);
-  const auto make_folder = [&] { make_folder_of_shards(folder); };
-  make_folder();
+  make_folder_of_shards(folder);
   refuse_others(folder, shard);
   const FolderLock lock(folder, fmt::format(".{}.lock", shard_file_name(shard)));
+  const auto require_folder = [&] {
+    if (!lock.holds()) throw_removed(folder);
+  };
   LookJournal journal(
-      file, [&] { return identity_of_shard(request, prepared, shard); }, make_folder, true);
+      file, [&] { return identity_of_shard(request, prepared, shard); }, require_folder, true);
   journal.resume();
   const InterruptFlag interrupt_flag([&] { return std::optional(interrupted_sentence(journal)); });
   compute_and_keep(request, prepared, shard, journal);
   if (!request.quiet)
-    fmt::print("shard {}    {} in {}; when all are there: raytube merge {}\n", shard_text(shard),
-               looks_text(shard.size(prepared.plan->looks.computed.size())), file.string(), folder.string());
+    fmt::print("shard {}    {} in {}; when all shards are done: raytube merge {}\n", shard_text(shard),
+               looks_text(shard.size(prepared.planned->plan.looks.computed.size())), file.string(), folder.string());
 }
 
 }  // namespace raytube

@@ -52,12 +52,13 @@ void ShardFiles::add(const fs::path& path) {
   std::unique_ptr<const Journal> journal = Journal::reopen(path);
   const std::string text = journal ? value_of(journal->identity(), shard_item) : "";
   if (text.empty())
-    throw InputError(fmt::format("{}: is cut short, or no shard; run its shard again, or delete the file", path.string()));
+    throw InputError(fmt::format("{}: is truncated, or not a shard; run its shard again, or delete the file", path.string()));
   const Shard shard = shard_of_text(text);
   for (const File& other : files_) {
     if (other.shard.count != shard.count)
-      throw InputError(fmt::format("{} is shard {}, but {} is shard {}: merge those of one number alone, and delete the others",
-                                   path.string(), text, other.path.string(), shard_text(other.shard)));
+      throw InputError(
+          fmt::format("{} is shard {}, but {} is shard {}: they belong to different runs; delete those of one of them",
+                      path.string(), text, other.path.string(), shard_text(other.shard)));
     if (other.shard.index == shard.index)
       throw InputError(fmt::format("{} and {} are both shard {}; delete one of them", other.path.string(), path.string(), text));
   }
@@ -92,13 +93,13 @@ std::vector<std::string> ShardFiles::overrides() const {
 void ShardFiles::require(const JournalIdentity& identity, std::size_t looks) const {
   for (const auto& [path, shard, journal] : files_) {
     if (const std::string found = differences_text(identity_of_looks(journal->identity()), identity); !found.empty())
-      throw InputError(fmt::format("{} was computed with {}; run shard {} again, or merge with what all were computed with",
+      throw InputError(fmt::format("{} was computed with {}; run shard {} again, or merge with the case of the shards",
                                    path.string(), found, shard_text(shard)));
     const std::size_t all = shard.size(looks);
     if (journal->records() != all)
       throw InputError(
-          fmt::format("{} holds {} of its {}: it was stopped, is still at work, or is cut short; run shard {} again, "
-                      "which goes on from there",
+          fmt::format("{} holds {} of its {}: it was interrupted, is still running, or is truncated; run shard {} "
+                      "again, which continues from there",
                       path.string(), journal->records(), looks_text(all), shard_text(shard)));
   }
 }

@@ -1,7 +1,9 @@
-// Where a command's results go.
+// Where a command's results go, and where those lie that it reads.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <span>
 #include <string>
 
 namespace raytube {
@@ -17,5 +19,12 @@ struct Destination {
 
 /// What -o names, or the usual folder without it. Throws InputError for the name of a table: `table` is one of the results.
 Destination destination_of(const std::filesystem::path& asked, const std::filesystem::path& usual, const char* table);
+
+/// What a run leaves of its rows: the file with most in it first.
+inline constexpr std::array<const char*, 2> result_names = {"rcs.nc", "rcs.csv"};
+
+/// The file of a result that is given as such, or as the folder of a run: there the first of `names`. Throws InputError for a
+/// folder without any.
+std::filesystem::path result_in(const std::filesystem::path& given, std::span<const char* const> names = result_names);
 
 }  // namespace raytube

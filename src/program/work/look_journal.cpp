@@ -54,15 +54,15 @@ std::string differences_text(const JournalIdentity& before, const JournalIdentit
   return fmt::format("{}{}", joined(sentences, ", "), more);
 }
 
-LookJournal::LookJournal(const fs::path& file, std::function<JournalIdentity()> identity,
-                         std::function<void()> make_sure_of_folder, bool is_result)
-    : file_(file), is_result_(is_result), identity_(std::move(identity)), make_sure_of_folder_(std::move(make_sure_of_folder)) {}
+LookJournal::LookJournal(const fs::path& file, std::function<JournalIdentity()> identity, std::function<void()> require_folder,
+                         bool is_result)
+    : file_(file), is_result_(is_result), identity_(std::move(identity)), require_folder_(std::move(require_folder)) {}
 
 void LookJournal::refuse_leftover(const fs::path& file) {
   const std::unique_ptr<Journal> left = Journal::reopen(file);
   if (!left || left->records() == 0) return;
   throw InputError(
-      fmt::format("{} holds {} finished by a run that was stopped; go on with it by --resume, or delete the file to start afresh",
+      fmt::format("{} holds {} that an interrupted run has finished; continue with --resume, or delete the file to start again",
                   file.string(), looks_text(left->records())));
 }
 
@@ -71,8 +71,8 @@ bool LookJournal::resume() {
   if (!journal_) return false;
   if (const std::string found = differences_text(journal_->identity(), identity_()); !found.empty())
     throw InputError(
-        fmt::format("{} was begun with {}; run with what it was begun with, or delete the file (and the finished {} in it) to "
-                    "start afresh",
+        fmt::format("{} was begun with {}; use the same case, or delete the file (and the finished {} in it) to start "
+                    "again",
                     file_.string(), found, looks_text(journal_->records())));
   resumed_ = journal_->records();
   return true;
@@ -92,7 +92,8 @@ void LookJournal::begin(std::size_t looks) {
 
 void LookJournal::keep(std::size_t index, std::string bytes) {
   std::unique_lock lock(mutex_);
-  if (given_up_ && is_result_) throw std::runtime_error(fmt::format("{}: the disk takes no more looks", file_.string()));
+  if (given_up_ && is_result_)
+    throw std::runtime_error(fmt::format("{}: the disk is full; make room and run the same command again", file_.string()));
   if (given_up_) return;
   waiting_bytes_ += bytes.size();
   waiting_.push_back({index, std::move(bytes)});
@@ -113,9 +114,10 @@ void LookJournal::write_if_due(std::unique_lock<std::mutex>& lock) {
 }
 
 void LookJournal::write() {
-  if (waiting_.empty() && (!journal_ || journal_->is_there())) return;
+  if (waiting_.empty()) return;
+  require_folder_();
   try {
-    make_sure_of_file();
+    if (!journal_) journal_ = std::make_unique<Journal>(file_, identity_());
     journal_->add(waiting_);
     to_sync_ = true;
   } catch (const std::exception& error) {
@@ -124,16 +126,6 @@ void LookJournal::write() {
   waiting_.clear();
   waiting_bytes_ = 0;
   written_ = Clock::now();
-}
-
-// The folder may have been removed since, and the file with it.
-void LookJournal::make_sure_of_file() {
-  if (journal_ && journal_->is_there()) return;
-  make_sure_of_folder_();
-  if (journal_)
-    journal_->write_again();
-  else
-    journal_ = std::make_unique<Journal>(file_, identity_());
 }
 
 // The others need not wait for the disk.
@@ -158,26 +150,30 @@ void LookJournal::sync(std::unique_lock<std::mutex>& lock) {
 void LookJournal::give_up(const std::exception& error) {
   given_up_ = true;
   if (is_result_) throw std::runtime_error(error.what());
-  warn(fmt::format("finished looks are no longer kept in case the run is stopped: {}", error.what()));
+  warn(fmt::format("if interrupted, the run can no longer be resumed: {}", error.what()));
 }
 
 std::string LookJournal::keep_all() {
   const std::lock_guard lock(mutex_);
-  if (journal_ && !given_up_) write();
+  try {
+    if (journal_ && !given_up_) write();
+  } catch (const std::exception&) {
+    // The folder was removed, or the disk is full: whatever is in the file is what is kept.
+  }
   if (!journal_ || !journal_->is_there() || journal_->records() == 0) return {};
   return fmt::format("{} of {} looks are kept in {}; {}", journal_->records(), std::max(looks_, journal_->records()),
-                     file_.string(), is_result_ ? "the same command goes on from there" : "go on with --resume");
+                     file_.string(), is_result_ ? "the same command continues from there" : "continue with --resume");
 }
 
 void LookJournal::complete() {
   const std::lock_guard lock(mutex_);
-  make_sure_of_file();
+  require_folder_();
+  if (!journal_) journal_ = std::make_unique<Journal>(file_, identity_());
   journal_->add(waiting_);
   journal_->sync();
   if (journal_->records() != looks_)
-    throw std::runtime_error(
-        fmt::format("{}: holds {} of {}, as the disk did not take the others; free some space and run it again", file_.string(),
-                    journal_->records(), looks_text(looks_)));
+    throw std::runtime_error(fmt::format("{}: holds {} of {}, the disk is full; make room and run the same command again",
+                                         file_.string(), journal_->records(), looks_text(looks_)));
   waiting_.clear();
 }
 

@@ -25,12 +25,11 @@ std::string looks_text(std::size_t count);
 /// later. A disk that does not take it costs a warning: the run goes on.
 class LookJournal {
  public:
-  /// `identity` is asked once it is needed. `make_sure_of_folder` makes the folder again where it was removed, and throws if it
-  /// belongs to another run by now; whoever calls it may come from any thread.
+  /// `identity` is called when it is needed; `require_folder`, from any thread, throws if the folder was removed.
   ///
   /// `is_result`: the file is all that there will be, so that what the disk does not take ends the work.
   LookJournal(const std::filesystem::path& file, std::function<JournalIdentity()> identity,
-              std::function<void()> make_sure_of_folder, bool is_result = false);
+              std::function<void()> require_folder, bool is_result = false);
 
   static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
   const std::filesystem::path& file() const { return file_; }
@@ -47,8 +46,7 @@ class LookJournal {
   /// To be called now and then: finished looks do not wait for the next one.
   void write_now_and_then();
 
-  /// Writes what is left to be written; then what is kept, as a sentence, empty if nothing is. A file that was removed is made
-  /// again, with its folder.
+  /// Writes what is left to be written as far as the disk takes it; returns a sentence that says what is kept, empty if nothing is.
   std::string keep_all();
 
   /// Writes all of them, for good. Throws std::runtime_error if the disk does not take them.
@@ -66,14 +64,13 @@ class LookJournal {
   void keep(std::size_t index, std::string bytes);
   void write_if_due(std::unique_lock<std::mutex>& lock);
   void write();
-  void make_sure_of_file();
   void sync(std::unique_lock<std::mutex>& lock);
   void give_up(const std::exception& error);
 
   std::filesystem::path file_;
   bool is_result_;
   std::function<JournalIdentity()> identity_;
-  std::function<void()> make_sure_of_folder_;
+  std::function<void()> require_folder_;
   std::unique_ptr<Journal> journal_;
   std::size_t looks_ = 0, resumed_ = 0;
   std::vector<JournalRecord> waiting_;

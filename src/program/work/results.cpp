@@ -38,7 +38,7 @@ void refuse_inputs(const fs::path& folder, const Names& names, const std::vector
       std::error_code ignored;
       if (fs::equivalent(folder / name, file, ignored))
         throw InputError(
-            fmt::format("{}: is read here ({}), and a result of that name would replace it; choose another folder with -o DIR",
+            fmt::format("{}: is an input ({}), and a result of that name would replace it; choose another folder with -o DIR",
                         (folder / name).string(), key));
     }
 }
@@ -77,10 +77,6 @@ void stop_if_interrupted() {
   if (!InterruptFlag::raised()) return;
   InterruptFlag::leaving();
   throw Interrupted();
-}
-
-void make_again_if_gone(OutputFolder& folder) {
-  if (folder.make_again_if_gone()) warn(fmt::format("output folder {} was removed; it is made again", folder.path().string()));
 }
 
 void check_output(const fs::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs) {
@@ -125,8 +121,7 @@ fs::path folder_of_named_file(const char* option, const fs::path& file, std::str
         fmt::format("{} {}: cannot be written; give an ordinary file in a folder that exists", option, file.string()));
   std::string first;
   if (std::ifstream in(file); in && std::getline(in, first) && first + '\n' != head)
-    throw InputError(fmt::format("{} {}: holds something else than an earlier result; name another file, or delete it", option,
-                                 file.string()));
+    throw InputError(fmt::format("{} {}: is not an earlier result; name another file, or delete it", option, file.string()));
   return folder;
 }
 

@@ -20,9 +20,6 @@ void warn(const std::string& sentence);
 /// Throws Interrupted once Ctrl-C was pressed.
 void stop_if_interrupted();
 
-/// Makes the folder of the results again, with a warning, if somebody has removed it. Throws InputError if that cannot be.
-void make_again_if_gone(OutputFolder& folder);
-
 /// The names of a command's results, in the order in which they take their places: whoever finds the last table finds all.
 struct ResultNames {
   std::vector<std::string> pictures, tables;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "scene/mechanisms.h"
 #include "solve/mechanisms/band_scene.h"
 #include "solve/mechanisms/mechanism.h"
 #include "solve/mechanisms/state.h"
@@ -13,7 +14,8 @@ namespace raytube {
 /// A mechanism by name, and what it says of a plan.
 struct MechanismEntry {
   MechanismId id;
-  const char* name;                                      // in sentences
+  ScatteringMechanism scatters;                          // what its pieces are
+  const char* label;                                     // in sentences
   const char* key;                                       // of the case, by which it is asked for
   MechanismState (*state)(const SolvePlan&);             // whether it takes part
   std::unique_ptr<Mechanism> (*make)(const BandScene&);  // at the frequencies of a band; null if not there

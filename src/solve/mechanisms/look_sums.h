@@ -6,7 +6,7 @@
 
 #include "core/field.h"
 #include "scene/image.h"
-#include "scene/parts.h"
+#include "scene/mechanisms.h"
 #include "scene/skipped.h"
 #include "scene/surface_rays.h"
 #include "utd/surface/surface_arrival.h"

@@ -1,0 +1,343 @@
+"""What a report shows, as one dict for the scripts of its page: arrays are base64 of little-endian numbers."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from raytube import _core, _jobs
+from raytube._arguments import CHANNELS
+from raytube._core import InputError
+from raytube._result import Result
+from raytube._rows import LABELS, Rows, cuts_of, grid_of, rows_of_result
+from raytube._tables import amplitudes_of, centres_of, dbsm, mechanism_text, mechanisms_of, read_csv
+
+_Floats = NDArray[np.float64]
+_Rows = NDArray[np.int64]
+
+_SCRIPTS = ("data", "scales", "plot", "curves", "heat", "centres", "space", "words", "page")  # in the order in which they run
+_NOTHING = -32768  # hundredths of a decibel: stands for no return at all
+_MOST_VALUES = 600_000  # of two bytes: 1.6 MB of a page
+_MAP_COLUMNS, _MAP_ROWS = 240, 200
+_MOST_RANGES, _MOST_LOOKS, _MOST_ACROSS = 500, 200, 240
+_MOST_ISAR_CELLS, _MOST_PIXELS, _RANGES_A_CELL = 2e6, 4.0, 8  # smooth to the eye
+_MOST_CENTRES = 1000  # more only hide one another
+_LONGEST_LIST = 8
+_WINDOW, _SIDELOBE_DB = "taylor", 35.0
+_QUANTITIES = ("ghz", "theta", "phi", "rx_theta", "rx_phi")  # by key
+_ALL = list(range(4))  # channels
+
+
+@dataclass
+class Source:
+    """A result, and what lies beside it."""
+
+    file: Path
+    stored: _core.Stored
+    run: dict[str, Any] | None  # run.json, or what a netCDF file says of its run
+    title: str
+    job: _core.Job | None = None  # the case and its target, where both are as the run had them
+    mechanisms: dict[str, NDArray[np.complex128]] = field(default_factory=dict)  # S by mechanism [m], (row, channel)
+    incoherent_m2: _Floats | None = None  # sigma without phase [m^2], (row, transmit polarisation)
+    notes: list[str] = field(default_factory=list)  # what the report lacks, and why
+
+
+def data_of(file: Path, looks: list[int]) -> dict[str, Any]:
+    """Everything that the page shows: of a result file of raytube's, with the return of these looks in space (none given: those whose images the
+    run has kept, or the strongest). Raises InputError for files that raytube has not written, and for looks that cannot be had."""
+    from raytube import _report_scene
+
+    source = _source(file)
+    rows = rows_of_result(Result(source.stored), str(file))
+    data: dict[str, Any] = {"title": source.title, "file": file.name, "sentences": _sentences(source, rows), "sweep": _sweep(source, rows)}
+    for name, words, view in (("map", "Map", lambda: _map(rows)), ("profiles", "Range profiles", lambda: _profiles(source)),
+                              ("isar", "ISAR image", lambda: _isar(source)), ("centres", "Scattering centres", lambda: _centres(source))):
+        data[name] = _or_note(source, words, view)
+    data["scene"] = _report_scene.scene_of(source, looks)
+    return data | {"record": _record(source.run), "notes": source.notes}
+
+
+def page(data: dict[str, Any], libraries: str) -> str:
+    """The page as text. `libraries`: three.js and OrbitControls, or empty for a page without a view in space."""
+    folder = Path(__file__).parent / "report"
+    text = {file.name: file.read_text(encoding="utf-8") for file in folder.iterdir()}
+    packed = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")  # no "</script" ends them
+    parts: dict[str, str] = {"title": escape(data["title"]), "style": text["style.css"], "data": packed, "three": libraries,
+             "script": "\n".join(text[f"{name}.js"] for name in _SCRIPTS)}
+    filled = re.sub("@(title|style|data|three|script)@", lambda mark: parts[str(mark[1])], text["page.html"])
+    return "<!DOCTYPE html><!-- report of raytube -->\n" + filled
+
+
+# --- arrays made small ---
+
+
+def packed(values: Any, kind: str = "<f4") -> str:
+    """Base64 of numbers of this NumPy type."""
+    return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()
+
+
+def packed_levels(levels_db: _Floats) -> str:
+    """Levels in hundredths of a decibel as Int16, which is finer than a page shows: -327.68 stands for -inf and whatever is weaker."""
+    hundredths = np.nan_to_num(np.round(100.0 * levels_db), nan=_NOTHING, posinf=32767, neginf=_NOTHING)
+    return packed(np.clip(hundredths, _NOTHING, 32767), "<i2")
+
+
+def four_levels(levels_db: _Floats) -> list[str]:
+    """The four channels, which are the last axis, each packed."""
+    return [packed_levels(levels_db[..., channel]) for channel in range(4)]
+
+
+def largest_of_blocks(values: NDArray[Any], axis: int, most: int) -> tuple[NDArray[Any], int]:
+    """At most so many blocks along an axis, each as large as the largest of its values, and their length."""
+    size = max(1, -(-values.shape[axis] // most))
+    return np.fmax.reduceat(values, np.arange(0, values.shape[axis], size), axis), size
+
+
+def _block_axis(first: float, step: float, count: int, size: int) -> dict[str, Any]:
+    """The middles of the first and the last block."""
+    middle, blocks = first + 0.5 * (size - 1) * step, -(-count // size)
+    return {"first": middle, "last": middle + size * step * (blocks - 1), "count": blocks}
+
+
+# --- what lies in the folder ---
+
+
+def _source(file: Path) -> Source:
+    read = _core.Stored.read_netcdf if file.suffix.lower() == ".nc" else _core.Stored.read_csv
+    stored, beside = read(str(file)), file.absolute().parent
+    attributes = stored.attributes
+    run = _run_json(beside / "run.json") or _run_of_attributes(attributes)
+    source = Source(file, stored, run, attributes.get("title", file.name))
+    table = attributes.get("rcs_csv_sha256") if file.suffix.lower() == ".nc" else hashlib.sha256(file.read_bytes()).hexdigest()
+    if table and member(run, "rcs_csv_sha256") == table:
+        source.title = member(run, "case", "title") or source.title
+        source.job = _job_of_run(run)
+    source.mechanisms = {name: s.reshape(-1, 4) for name, s in stored.mechanisms.items()}
+    source.incoherent_m2 = None if stored.incoherent_m2 is None else stored.incoherent_m2.reshape(-1, 2)
+    if not source.mechanisms and (beside / "parts.csv").exists():
+        source.mechanisms = mechanisms_of(_table(beside / "parts.csv", stored))
+    elif not source.mechanisms:
+        source.notes.append("Curves by mechanism: the run kept its mechanisms together; raytube run --parts keeps them apart.")
+    if source.incoherent_m2 is None and (beside / "incoherent.csv").exists():
+        source.incoherent_m2 = 10.0 ** (_table(beside / "incoherent.csv", stored).iloc[:, -2:].to_numpy() / 10.0)
+    return source
+
+
+def _run_json(file: Path) -> dict[str, Any] | None:
+    if not file.exists():
+        return None
+    try:
+        run = json.loads(file.read_text(encoding="utf-8"))
+    except ValueError:
+        run = None
+    if not isinstance(run, dict):
+        raise InputError(f"{file}: is not the JSON that a run writes; run the case again, or delete the file")
+    return run
+
+
+def _run_of_attributes(attributes: dict[str, str]) -> dict[str, Any] | None:
+    known = ("case", "warnings", "counts", "model_uncertainty")
+    run = {name: json.loads(text) for name, text in attributes.items() if name in known}
+    return run | ({"version": attributes["raytube_version"]} if "raytube_version" in attributes else {}) or None
+
+
+def member(run: Any, *names: str) -> Any:
+    """A member of nested dicts, or None."""
+    for name in names:
+        run = run.get(name) if isinstance(run, dict) else None
+    return run
+
+
+def _job_of_run(run: dict[str, Any] | None) -> _core.Job | None:
+    """The case with the settings that it was run with; None where its files are gone or have changed."""
+    case = member(run, "case")
+    settings = {f"target.{key}": member(case, "target", key) for key in ("mesh", "unit")}
+    for section in ("frequency", "look", "tubes", "accuracy", "edges", "surfaces"):
+        settings |= {f"{section}.{key}": value for key, value in (member(case, section) or {}).items()}
+    try:
+        job = _jobs._job_of_file("report", member(run, "case_file") or "", settings)
+    except InputError:
+        return None
+    meshes = member(run, "mesh", "sha256")
+    return job if ([meshes] if isinstance(meshes, str) else meshes) == _core.traced_target(job)["mesh_sha256"] else None
+
+
+def _table(file: Path, stored: _core.Stored) -> Any:
+    """A table beside the result, which must have the rows of it."""
+    table, (looks, frequencies) = read_csv(file), stored.S.shape[:2]
+    keys = np.column_stack([np.tile(stored.frequency_hz, looks), np.repeat(stored.theta_deg, frequencies), np.repeat(stored.phi_deg, frequencies)])
+    if len(table) != len(keys) or not np.array_equal(table.iloc[:, :3], keys):
+        raise InputError(f"{file}: does not have the rows of the result beside it; run the case again, or delete the file")
+    return table
+
+
+def _or_note(source: Source, name: str, view: Callable[[], dict[str, Any] | None]) -> dict[str, Any] | None:
+    """The view; where the sweep does not allow it, a note that says why."""
+    try:
+        return view()
+    except InputError as error:
+        source.notes.append(f"{name}: {error}.")
+        return None
+
+
+# --- rows, curves and a map ---
+
+
+def _sweep(source: Source, rows: Rows) -> dict[str, Any]:
+    stored, kept = source.stored, shown_rows(rows, 12 + 4 * len(source.mechanisms))
+    levels = {name: four_levels(values.reshape(-1, 4)[kept]) for name, values in
+              (("sigma", stored.sigma_dbsm), ("error", stored.error_db), ("model", stored.model_db))}
+    with np.errstate(divide="ignore"):
+        incoherent = None if source.incoherent_m2 is None else [packed_levels(10.0 * np.log10(values)) for values in source.incoherent_m2[kept].T]
+    return {"ghz": (stored.frequency_hz / 1e9).tolist(), "looks": {name: getattr(stored, f"{name}_deg").tolist() for name in _QUANTITIES[1:]},
+            "bistatic": stored.bistatic, "total": len(rows.keys), "rows": packed(kept, "<u4"), **levels, "incoherent": incoherent,
+            "mechanisms": [{"label": mechanism_text(name), "sigma": four_levels(dbsm(s[kept]))} for name, s in source.mechanisms.items()]}
+
+
+def shown_rows(rows: Rows, values_a_row: int) -> _Rows:
+    """All rows, or of a sweep too large for a page the strongest and the weakest of every few neighbours along its curves."""
+    count, most = len(rows.keys), _MOST_VALUES // values_a_row
+    if count <= most:
+        return np.arange(count)
+    largest, length = np.fmax.reduce(rows.sigma, axis=1), -(-2 * count // most)
+    near = [cut.rows[first:first + length] for cut in cuts_of(rows)[1] for first in range(0, len(cut.rows), length)]
+    kept: _Rows = np.unique([some[at] for some in near for at in (np.argmin(largest[some]), np.argmax(largest[some]))])
+    return kept
+
+
+def _map(rows: Rows) -> dict[str, Any] | None:
+    grid = grid_of(rows, rows.peak_row(_ALL), 2)
+    if grid is None:
+        return None
+    levels, axes = grid.over(rows.sigma), {}
+    for name, key, values, most in (("x", grid.across, grid.x, _MAP_COLUMNS), ("y", grid.up, grid.y, _MAP_ROWS)):
+        step = _even_step(values, key)
+        levels, size = largest_of_blocks(levels, 1 if name == "x" else 0, most)
+        axes[name] = _block_axis(values[0], step, len(values), size) | {"quantity": _QUANTITIES[key]}
+    return axes | {"fixed": grid.fixed, "sigma": four_levels(levels)}
+
+
+def _even_step(values: _Floats, key: int) -> float:
+    steps = np.diff(values)
+    usual = float(np.median(steps))
+    if np.any(np.abs(steps - usual) > 1e-3 * abs(usual)):
+        raise InputError(f"{LABELS[key]} is not in even steps; a sweep in even steps gives a map")
+    return float(values[-1] - values[0]) / (len(values) - 1)
+
+
+# --- range profiles, the ISAR image, centres ---
+
+
+def _outermost(source: Source) -> list[list[float]]:
+    points: list[list[float]] = _core.outline(source.job)[0].tolist() if source.job is not None else []
+    return points
+
+
+def _profiles(source: Source) -> dict[str, Any]:
+    made = _core.range_profiles(source.stored, None, _outermost(source), _WINDOW, _SIDELOBE_DB, _RANGES_A_CELL)
+    at, (amplitude, size) = made["range_m"], largest_of_blocks(np.abs(made["S"]), 0, _MOST_LOOKS)
+    amplitude, ranges = largest_of_blocks(amplitude, 1, _MOST_RANGES)
+    model = dbsm(largest_of_blocks(np.fmax(made["model_m"][:, 0, 0], made["model_m"][:, 0, 3]), 0, _MOST_LOOKS)[0])
+    return {"range": _block_axis(at[0], at[1] - at[0], len(at), ranges), "looks_a_block": size, "blocks": len(amplitude),
+            "resolution": made["resolution_m"], "unambiguous": made["unambiguous_m"], "window": _WINDOW.capitalize(),
+            "model": [level if np.isfinite(level) else None for level in model.tolist()], "sigma": four_levels(dbsm(amplitude))}
+
+
+def _isar(source: Source) -> dict[str, Any]:
+    outermost = _outermost(source)
+    cells = _core.isar_cells(source.stored, outermost)
+    pixels = min(_MOST_PIXELS, (_MOST_ISAR_CELLS / float(np.prod(cells))) ** (1.0 / len(cells)))
+    if pixels < 1.0:
+        raise InputError(f"{np.prod(cells):.3g} resolution cells are too many for a page; raytube isar computes the image")
+    axes, s = _core.isar(source.stored, outermost, [], pixels, _WINDOW, _SIDELOBE_DB)
+    amplitude = np.abs(s) if len(axes) == 2 else np.fmax.reduce(np.abs(s), axis=2)
+    data: dict[str, Any] = {"in_space": len(axes) > 2, "window": _WINDOW.capitalize()}
+    for i, name in enumerate(("range", "cross")):
+        at = axes[i]["at_m"]
+        amplitude, size = largest_of_blocks(amplitude, i, _MOST_ACROSS)
+        data[name] = _block_axis(at[0], at[1] - at[0] if len(at) > 1 else 0.0, len(at), size)
+        data[f"{name}_axis"], data[f"{name}_resolution"] = axes[i]["direction"], axes[i]["resolution_m"]
+    return data | {"sigma": four_levels(dbsm(amplitude))}
+
+
+def _centres(source: Source) -> dict[str, Any] | None:
+    file, remedy = source.file.absolute().parent / "centres.csv", "raytube centres CASE.toml --look I -o FOLDER, with the result's folder, writes it"
+    if source.stored.bistatic:
+        return None
+    if not file.exists():
+        raise InputError(f"there is no centres.csv; {remedy}")
+    (theta, phi, hertz, side), table = centres_of(file)
+    stored = source.stored
+    look = np.flatnonzero(np.isclose(stored.theta_deg, theta, 1e-9, 1e-9) & np.isclose(stored.phi_deg, phi, 1e-9, 1e-9))
+    frequency = np.flatnonzero(np.isclose(stored.frequency_hz, hertz, 1e-9, 0.0))
+    if not (len(look) and len(frequency)):
+        raise InputError(f"centres.csv is for θ = {theta:g}°, φ = {phi:g}° at {hertz / 1e9:g} GHz, which the result does not have; {remedy}")
+    shown = table[table["centre"] != "rest"].head(_MOST_CENTRES)
+    s, persistence = amplitudes_of(table), ["persistence_ghz", "persistence_azimuth_deg", "persistence_elevation_deg"]
+    return {"look": int(look[0]), "ghz": hertz / 1e9, "side": side, "total": int(np.sum(table["centre"] != "rest")),
+            "places": packed(shown[["x_m", "y_m", "z_m"]]), "persistence": packed(shown[persistence]), "mechanism": [mechanism_text(name) for name in shown["mechanism"]],
+            "part": shown["part"].fillna("").tolist(), "sigma": four_levels(dbsm(amplitudes_of(shown))),
+            "doubt": _doubt(s.sum(axis=0), stored.S[look[0], frequency[0]].reshape(4))}
+
+
+def _doubt(found: NDArray[np.complex128], s: NDArray[np.complex128]) -> str:
+    """Centres add up to S of the look but for what refined tubes change in it, 2 % on a large truck. Empty if there is no doubt."""
+    if np.linalg.norm(found - s) <= 0.25 * np.linalg.norm(s):
+        return ""
+    channel = 3 if abs(s[3]) > abs(s[0]) else 0
+    return (f"With the rest they add up to {dbsm(found[channel]):.2f} dBsm {CHANNELS[channel].upper()}, but the result has "
+            f"{dbsm(s[channel]):.2f} dBsm: centres.csv may belong to other settings, or to another target.")
+
+
+# --- words ---
+
+
+def _sentences(source: Source, rows: Rows) -> dict[str, str]:
+    row = rows.peak_row(_ALL)
+    channel = int(np.argmax(np.nan_to_num(rows.sigma[row], nan=-np.inf)))
+    numerical, model = _core.error_sentences(source.stored)
+    return {"peak": f"The strongest return is {rows.sigma[row, channel]:.2f} dBsm in {CHANNELS[channel].upper()}, at {rows.fixed(row)} "
+                    f"(look {row // source.stored.S.shape[1]}).",
+            "error": f"Numerical error of the tubes: {numerical}.",
+            "model": f"Model uncertainty, what asymptotic physics leaves out: {model}.{_largest_cause(source.run)}"}
+
+
+def _largest_cause(run: dict[str, Any] | None) -> str:
+    causes = member(run, "model_uncertainty")
+    if not causes or not {"what", "share", "remedy"} <= set(causes[0]):
+        return ""
+    remedy = causes[0]["remedy"]
+    handle = "no key reduces it" + remedy.removeprefix("none") if remedy.startswith("none") else f"remedy: {remedy}"
+    return f" It is mostly {causes[0]['what']} ({100.0 * causes[0]['share']:.0f} %); {handle}."
+
+
+def _record(run: dict[str, Any] | None) -> dict[str, Any] | None:
+    """What run.json says; long lists of numbers as their extent, but for those that are read one by one."""
+    if run is None:
+        return None
+    record = {name: _shortened(run[name]) for name in ("version", "case", "mesh", "threads", "counts", "time") if name in run}
+    record |= {name: run[name] for name in ("warnings", "model_uncertainty") if name in run}
+    for name in ("skipped", "mechanisms"):
+        if member(run, "counts", name) is not None:
+            record["counts"][name] = run["counts"][name]
+    return record
+
+
+def _shortened(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _shortened(each) for name, each in value.items()}
+    if not isinstance(value, list) or len(value) <= _LONGEST_LIST:
+        return [_shortened(each) for each in value] if isinstance(value, list) else value
+    if all(isinstance(each, (int, float)) for each in value):
+        return f"{len(value)} values from {min(value):g} to {max(value):g}"
+    return f"a list of {len(value)}"

@@ -1,0 +1,88 @@
+#include "program/python.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "output/picture/child_process.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int machine = 3, no_package = 93;
+
+// What is missing is said here in one sentence once no interpreter has the package.
+constexpr const char* start =
+    "import sys\n"
+    "try:\n"
+    "    from raytube.__main__ import main\n"
+    "except ImportError:\n"
+    "    sys.exit(93)\n"
+    "sys.exit(main(sys.argv[1:]))\n";
+
+// RAYTUBE_PYTHON, or else the first of these that has the package: beside the program, on the search path, the system's.
+std::vector<std::string> interpreters(const fs::path& program) {
+  if (const char* const named = std::getenv("RAYTUBE_PYTHON")) return {named};
+  std::vector<std::string> all = {"python3", "/usr/bin/python3"};
+  if (fs::exists(program / "python3")) all.insert(all.begin(), (program / "python3").string());
+  return all;
+}
+
+// The package lies beside the program where both were built, and below the prefix where they were installed.
+std::vector<std::pair<std::string, std::string>> python_path(const fs::path& program) {
+  for (const fs::path& folder : {program / "python", program.parent_path() / "lib/python3/dist-packages"}) {
+    if (!fs::exists(folder / "raytube" / "__init__.py")) continue;
+    const char* const others = std::getenv("PYTHONPATH");
+    return {{"PYTHONPATH", others ? fmt::format("{}:{}", folder.string(), others) : folder.string()}};
+  }
+  return {};
+}
+
+// The exit code; no_package where no interpreter has it.
+int python(const std::vector<std::string>& words, ChildOutput output) {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const std::string& interpreter : interpreters(program)) {
+    std::vector<std::string> arguments = {interpreter, "-c", start};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    const ChildEnd end = run_child(arguments, output, python_path(program));
+    if (!end.missing && end.code != no_package) return end.code < 0 ? machine : end.code;
+  }
+  return no_package;
+}
+
+}  // namespace
+
+std::vector<std::string> words_for_python(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() > 1 && words.front() == "help") words = {words[1], "--help"};
+  const auto is_first = [&](const auto& command) { return !words.empty() && words.front() == command.first; };
+  return std::ranges::any_of(python_commands, is_first) ? words : std::vector<std::string>{};
+}
+
+int run_python(const std::vector<std::string>& words) {
+  const int code = python(words, ChildOutput::ours);
+  if (code != no_package) return code;
+  fmt::print(stderr,
+             "raytube: {} needs the Python package raytube, which no python3 here has; install the .deb of raytube, or run "
+             "pip install . in its source folder\n",
+             words.front());
+  return machine;
+}
+
+std::string draw_with_python(const fs::path& folder, const std::vector<std::string>& files, const fs::path& run) {
+  std::vector<std::string> words = {"plot", "--quiet", "--run", run.string()};
+  for (const std::string& file : files) words.push_back((folder / file).string());
+  const int code = python(words, ChildOutput::silent);
+  if (code == 0) return "";
+  if (code == no_package || code == machine)
+    return "no pictures: the Python package raytube draws them, and it or matplotlib is not installed; raytube plot DIR, with "
+           "the folder of "
+           "the results, draws them later";
+  return fmt::format("no pictures: raytube plot failed; run by hand on {} it says why", files.front());
+}
+
+}  // namespace raytube

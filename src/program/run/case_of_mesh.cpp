@@ -1,0 +1,115 @@
+// A mesh in the place of a case: the few settings of the command line make a case of it.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+#include <tuple>
+
+#include "core/csv_reader.h"
+#include "core/error.h"
+#include "core/text.h"
+#include "output/files/files.h"
+#include "output/netcdf/netcdf_file.h"
+#include "program/commands.h"
+
+namespace raytube {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view written_head = "# Written by raytube run for a mesh.";
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> pieces(1);
+  for (const char c : text)
+    if (c == separator)
+      pieces.emplace_back();
+    else
+      pieces.back() += c;
+  return pieces;
+}
+
+// "10", "9,10,11" or "0:360:1" as a value of a case.
+std::string value_of(const char* option, const std::string& text, const char* third) {
+  const bool is_range = text.find(':') != std::string::npos;
+  const std::vector<std::string> words = split(text, is_range ? ':' : ',');
+  const bool are_numbers = std::ranges::all_of(words, [](const std::string& word) { return parsed_number(word).has_value(); });
+  if (!are_numbers || (is_range && words.size() != 3))
+    throw InputError(fmt::format("{} {}: write a number, numbers with commas between, or START:STOP:{}", option, quotable(text),
+                                 std::string_view(third) == "count" ? "COUNT" : "STEP"));
+  if (is_range) return fmt::format("{{ start = {}, stop = {}, {} = {} }}", words[0], words[1], third, words[2]);
+  return words.size() == 1 ? words[0] : fmt::format("[{}]", fmt::join(words, ", "));
+}
+
+std::string toml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string case_text(const MeshRequest& asked, const fs::path& mesh, const fs::path& folder) {
+  const fs::path beside = fs::proximate(fs::absolute(mesh), fs::absolute(folder));
+  return fmt::format(
+      "{}\ntitle = {}\n\n[target]\nmesh = {}\nunit = {}\n\n[frequency]\nghz = {}\n\n[look]\nazimuth_deg = {}\nelevation_deg = "
+      "{}\n",
+      written_head, toml_text(mesh.stem().string()), toml_text(beside.string()), toml_text(asked.unit),
+      value_of("--ghz", asked.ghz, "count"), value_of("--azimuth", asked.azimuth, "step"),
+      value_of("--elevation", asked.elevation, "step"));
+}
+
+void require_free(const fs::path& file) {
+  if (!fs::exists(file)) return;
+  std::string first_line;
+  std::ifstream in(file);
+  std::getline(in, first_line);
+  if (first_line != written_head)
+    throw InputError(
+        fmt::format("{}: is there and was not written by raytube run; run it as a case, or give another -o", file.string()));
+}
+
+void write_case(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  const fs::path beside = file.string() + ".new";
+  OutputFile out(beside);
+  out.write(text);
+  out.commit();
+  fs::rename(beside, file);
+}
+
+}  // namespace
+
+void make_case_of_mesh(Request& request) {
+  const MeshRequest& asked = request.mesh;
+  const fs::path mesh = request.case_file;
+  constexpr std::array<std::string_view, 8> mesh_endings = {".stl", ".obj", ".ply", ".off", ".msh", ".gltf", ".glb", ".3mf"};
+  if (std::ranges::find(mesh_endings, lower_case(mesh.extension().string())) == mesh_endings.end()) {
+    for (const auto& [option, value, key] :
+         {std::tuple{"--unit", &asked.unit, "target.unit"}, std::tuple{"--ghz", &asked.ghz, "frequency.ghz"}})
+      if (!value->empty())
+        throw InputError(
+            fmt::format("{}: goes with a mesh; a case has the key {}, and --set {}=VALUE changes it", option, key, key));
+    return;
+  }
+  if (request.ranks)
+    throw InputError(fmt::format(
+        "{}: several processes share a case, not a mesh; run it once without mpirun, which writes the case", mesh.string()));
+  if (!fs::exists(mesh)) throw InputError(fmt::format("{}: there is no such file", mesh.string()));
+  if (asked.unit.empty())
+    throw InputError(fmt::format("{}: a mesh has no unit of length; give --unit m, cm, mm, um, in or ft", mesh.string()));
+  if (asked.ghz.empty())
+    throw InputError(
+        fmt::format("{}: a mesh says no frequency; give the frequency with --ghz, for example --ghz 10", mesh.string()));
+  const bool one_file = is_netcdf_name(request.output_folder);
+  if (request.output_folder.empty()) request.output_folder = fs::absolute(mesh).parent_path() / "out";
+  const fs::path file =
+      one_file ? fs::path(request.output_folder).replace_extension(".toml") : request.output_folder / "case.toml";
+  require_free(file);
+  write_case(file, case_text(asked, mesh, fs::absolute(file).parent_path()));
+  request.case_file = file;
+}
+
+}  // namespace raytube

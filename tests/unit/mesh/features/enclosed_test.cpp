@@ -1,0 +1,48 @@
+// What lies inside a closed body, and what only seems to.
+#include <gmock/gmock.h>
+
+#include "mesh/features/enclosed.h"
+#include "unit/mesh_shapes.h"
+
+namespace raytube {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<bool> enclosed(const PolygonSoup& soup) {
+  const LoadedMesh loaded = shapes::build(soup);
+  return find_enclosed_components(FaceTree(loaded.mesh));
+}
+
+const PolygonSoup hull = shapes::box(dvec3(-1.0), dvec3(1.0));
+
+TEST(Enclosed, BodiesAndSheetsInsideABody) {
+  PolygonSoup soup = shapes::joined(shapes::box(dvec3(-0.3), dvec3(0.2)), hull);
+  shapes::append(soup, shapes::plate({0.4, -0.5, -0.5}, {0.1, 0.5, 0}, {0, 0, 0.7}));
+  EXPECT_THAT(enclosed(soup), ElementsAre(true, false, true));
+  EXPECT_THAT(enclosed(shapes::moved(soup, shapes::skew_rotation(), {5, -3, 2})), ElementsAre(true, false, true));
+}
+
+TEST(Enclosed, InsideOneOfTwoBodies) {
+  const PolygonSoup inner = shapes::box(dvec3(-0.5), dvec3(0.5)), innermost = shapes::box(dvec3(-0.1), dvec3(0.1));
+  EXPECT_THAT(enclosed(shapes::joined(shapes::joined(innermost, inner), hull)), ElementsAre(true, true, false));
+  EXPECT_THAT(enclosed(shapes::joined(shapes::moved(innermost, glm::dmat3(1.0), {5, 0, 0}), hull)), ElementsAre(false, false));
+}
+
+TEST(Enclosed, NotWhatPassesThroughTheSkinOrLiesOnIt) {
+  EXPECT_THAT(enclosed(shapes::joined(shapes::box(dvec3(-0.3), dvec3(0.2, 0.2, 1.5)), hull)), ElementsAre(false, false));
+  EXPECT_THAT(enclosed(shapes::joined(shapes::box(dvec3(-0.3), dvec3(0.2, 0.2, 1.0 - 1e-7)), hull)), ElementsAre(false, false));
+}
+
+// In the hollow between the arms of an L: inside its box, outside the body. And within a box that is open on one side.
+TEST(Enclosed, NotInHollows) {
+  const PolygonSoup lee = shapes::prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 2.0);
+  EXPECT_THAT(enclosed(shapes::joined(lee, shapes::box(dvec3(1.5, 1.5, 0.5), dvec3(2, 2, 1)))), ElementsAre(false, false));
+  EXPECT_THAT(enclosed(shapes::joined(lee, shapes::box(dvec3(0.2, 1.5, 0.5), dvec3(0.8, 2, 1)))), ElementsAre(false, true));
+  PolygonSoup open = hull;
+  open.polygons.pop_back();
+  EXPECT_THAT(enclosed(shapes::joined(open, shapes::box(dvec3(-0.3), dvec3(0.2)))), ElementsAre(false, false));
+}
+
+}  // namespace
+}  // namespace raytube
