@@ -51,18 +51,11 @@ Comparison compare(ResultTable result, ResultTable reference, const std::map<std
 
 py::dict measures(const ErrorMeasures& e) {
   py::dict d;
-  d["result_peak_dbsm"] = e.result_peak_dbsm;
-  d["reference_peak_dbsm"] = e.reference_peak_dbsm;
   d["rows_within"] = e.within;
-  d["rms_db"] = e.rms_db;
-  d["mean_abs_db"] = e.mean_abs_db;
-  d["median_abs_db"] = e.median_abs_db;
-  d["p95_abs_db"] = e.p95_abs_db;
-  d["largest_abs_db"] = e.largest_abs_db;
-  d["bias_db"] = e.bias_db;
-  d["relative_error"] = e.relative_error;
-  d["austin_db"] = e.austin_db;
-  d["correlation"] = e.correlation;
+  const auto add = [&](const auto& measures) {
+    for (const NamedMeasure& measure : measures) d[measure.name] = e.*measure.value;
+  };
+  add(peak_measures), add(near_peak_measures), add(all_rows_measures);
   return d;
 }
 

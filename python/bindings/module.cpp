@@ -18,6 +18,7 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/check_text.h"
+#include "jobs/recorded_run.h"
 
 namespace raytube::python {
 
@@ -95,6 +96,20 @@ SharedTarget target_of_files(const std::vector<std::filesystem::path>& files, co
 
 SharedJob job_of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   return interruptibly([=](Watch&) { return Job::of_file(file, overrides); });
+}
+
+// The case of a run.json with the settings that it was run with; None where its files are gone or have changed.
+std::shared_ptr<Job> job_of_run(const std::string& text) {
+  return std::const_pointer_cast<Job>(interruptibly([=](Watch&) -> SharedJob {
+    const Json run = json_of(text);
+    try {
+      SharedJob job = Job::of_file(text_at(run, "case_file"), settings_of_run(run));
+      const std::vector<std::string> meshes = mesh_sha256_of_run(run);
+      return meshes.empty() || meshes == job->mesh_sha256 ? job : nullptr;
+    } catch (const InputError&) {
+      return nullptr;
+    }
+  }));
 }
 
 std::shared_ptr<const LookNumbers> look_numbers(const py::object& rows, bool bistatic) {
@@ -264,6 +279,7 @@ void bind_target_and_job(py::module_& module) {
   module.def("job_of_file", [](const std::filesystem::path& file, const std::vector<std::string>& overrides) {
     return std::const_pointer_cast<Job>(job_of_file(file, overrides));
   });
+  module.def("job_of_run", &job_of_run);
   module.def("job_of_target",
              [](const SharedTarget& target, const py::dict& values, const std::string& name, const py::object& looks,
                 bool bistatic) { return std::const_pointer_cast<Job>(job_of_target(target, values, name, looks, bistatic)); });

@@ -41,13 +41,12 @@ py::ssize_t count_of(const auto& rows) { return static_cast<py::ssize_t>(rows.si
 
 py::tuple vector_tuple(const dvec3& v) { return py::make_tuple(v.x, v.y, v.z); }
 
-// The mesh as traced, in its own coordinates, and what a result must agree with to be its own.
+// The mesh as traced, in its own coordinates, and how many looks and frequencies its result has.
 py::dict traced_target(const std::shared_ptr<Job>& job) {
   const TriangleMesh& mesh = job->built->target.mesh;
   std::vector<dvec3> vertices = mesh.vertices;
   for (dvec3& vertex : vertices) vertex += mesh.center;
   py::dict d;
-  d["mesh_sha256"] = job->mesh_sha256;
   d["looks"] = job->asked.sweep.looks.size();
   d["frequencies"] = job->asked.sweep.frequencies.size();
   d["vertices"] = copied<double>(vertices, {count_of(vertices), 3});

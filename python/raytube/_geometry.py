@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from hashlib import sha256
-from pathlib import Path
+import json
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from raytube._core import InputError
+from raytube import _core
 
 Floats = NDArray[np.float64]
 Outline = tuple[Floats, Floats, NDArray[np.float32]]  # points as wide as the target, its edges, its triangles [m]
@@ -17,19 +16,9 @@ _PIXELS = 1600  # of a silhouette along its longer side
 
 
 def target_of_run(run: dict[str, Any]) -> Outline | None:
-    """The target of a run, or of a case without hashes, if its meshes are where the run had them, and still the same."""
-    from raytube._jobs import outline_of
-    from raytube._target import Target
-
-    try:
-        described, folder = run["case"]["target"], Path(run["case_file"]).parent
-        names, hashes = ([value] if isinstance(value, str) else value for value in (described["mesh"], run.get("mesh", {}).get("sha256", [])))
-        files = [folder / name for name in names]
-        if hashes and [sha256(file.read_bytes()).hexdigest() for file in files] != hashes[:len(files)]:
-            return None
-        return outline_of(Target.load(files, described["unit"]))
-    except (KeyError, TypeError, OSError, InputError):
-        return None
+    """The target of a run, if its case and its meshes are where the run had them, and still the same."""
+    job = _core.job_of_run(json.dumps(run))
+    return None if job is None else _core.outline(job)
 
 
 def drawn_lines(outline: Outline, plane: Any) -> tuple[Floats, int]:

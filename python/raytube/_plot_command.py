@@ -13,8 +13,9 @@ import numpy as np
 from raytube._arguments import CHANNELS
 from raytube._command import Parser, new_files
 from raytube._core import InputError
-from raytube._figures import Options, Pictures, figure_of_results, product_pictures, waterfall_of_result
+from raytube._figures import Options, Pictures, figure_of_results
 from raytube._plots import TITLES, Style
+from raytube._product_figures import product_pictures, waterfall_of_result
 from raytube._rows import Rows, read_rows
 from raytube._tables import require_free
 

@@ -1,4 +1,4 @@
-"""What is drawn into one pair of axes. Together with `_figures` the only modules that draw; matplotlib is imported here alone."""
+"""What is drawn into one pair of axes. Together with `_figures` and `_product_figures` the only modules that draw; matplotlib is imported here alone."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from raytube import _core, _jobs
+from raytube import _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._result import Result
@@ -121,7 +121,7 @@ def _source(file: Path) -> Source:
     table = attributes.get("rcs_csv_sha256") if file.suffix.lower() == ".nc" else hashlib.sha256(file.read_bytes()).hexdigest()
     if table and member(run, "rcs_csv_sha256") == table:
         source.title = member(run, "case", "title") or source.title
-        source.job = _job_of_run(run)
+        source.job = _core.job_of_run(json.dumps(run))
     source.mechanisms = {name: s.reshape(-1, 4) for name, s in stored.mechanisms.items()}
     source.incoherent_m2 = None if stored.incoherent_m2 is None else stored.incoherent_m2.reshape(-1, 2)
     if not source.mechanisms and (beside / "parts.csv").exists():
@@ -156,20 +156,6 @@ def member(run: Any, *names: str) -> Any:
     for name in names:
         run = run.get(name) if isinstance(run, dict) else None
     return run
-
-
-def _job_of_run(run: dict[str, Any] | None) -> _core.Job | None:
-    """The case with the settings that it was run with; None where its files are gone or have changed."""
-    case = member(run, "case")
-    settings = {f"target.{key}": member(case, "target", key) for key in ("mesh", "unit")}
-    for section in ("frequency", "look", "tubes", "accuracy", "edges", "surfaces"):
-        settings |= {f"{section}.{key}": value for key, value in (member(case, section) or {}).items()}
-    try:
-        job = _jobs._job_of_file("report", member(run, "case_file") or "", settings)
-    except InputError:
-        return None
-    meshes = member(run, "mesh", "sha256")
-    return job if ([meshes] if isinstance(meshes, str) else meshes) == _core.traced_target(job)["mesh_sha256"] else None
 
 
 def _table(file: Path, stored: _core.Stored) -> Any:

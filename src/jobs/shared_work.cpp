@@ -11,6 +11,7 @@
 #include "core/bytes.h"
 #include "core/error.h"
 #include "jobs/inputs.h"
+#include "jobs/recorded_run.h"
 #include "output/files/sha256.h"
 
 namespace raytube {
@@ -47,12 +48,9 @@ JournalIdentity identity_of_case(const Case& c, const Manifest& manifest) {
 }
 
 JournalIdentity identity_of_run(const Json& run) {
-  const Json& hashes = run["mesh"]["sha256"];
-  JournalIdentity identity{
-      {mesh_item, hashes.is_string() ? hashes.get<std::string>()
-                                     : fmt::format("{}", fmt::join(hashes.get<std::vector<std::string>>(), " "))},
-      {"list in look.looks_csv", text_at(run, "looks_csv_sha256")},
-      {"pattern in radar.pattern_csv", text_at(run, "pattern_csv_sha256")}};
+  JournalIdentity identity{{mesh_item, fmt::format("{}", fmt::join(mesh_sha256_of_run(run), " "))},
+                           {"list in look.looks_csv", text_at(run, "looks_csv_sha256")},
+                           {"pattern in radar.pattern_csv", text_at(run, "pattern_csv_sha256")}};
   if (const Json* tables = find(run, "table_csv_sha256"))
     for (const auto& [name, sha256] : tables->items()) identity.emplace_back("table " + name, sha256.get<std::string>());
   std::ranges::copy(numerical_keys(run["case"]), std::back_inserter(identity));

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -368,11 +367,6 @@ std::string unknown_word(const CLI::App& command, const std::vector<std::string>
   return fmt::format("unknown option {}{}", quotable(name), nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
 }
 
-std::string nearest_command(const std::string& word, const std::vector<std::string>& commands) {
-  const std::string_view nearest = nearest_name(word, commands);
-  return nearest.empty() ? fmt::format("there are {}", fmt::join(commands, ", ")) : fmt::format("did you mean \"{}\"?", nearest);
-}
-
 // `raytube help run` is `raytube run --help`.
 std::vector<std::string> words_of(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
@@ -387,8 +381,7 @@ void parse(CLI::App& app, std::vector<std::string> words) {
   const std::string first = words.front();
   const std::vector<std::string> commands = command_names(app);
   if (!first.starts_with('-') && std::ranges::find(commands, first) == commands.end())
-    throw InputError(
-        fmt::format("unknown command \"{}\"; {}; see raytube --help", quotable(first), nearest_command(first, commands)));
+    throw InputError(fmt::format("unknown command \"{}\"; {}; see raytube --help", quotable(first), name_meant(first, commands)));
   std::ranges::reverse(words);  // as CLI11 takes them
   try {
     app.parse(words);
@@ -426,8 +419,11 @@ Request parse_command_line(int argc, const char* const* argv) {
   const CLI::App* trace = add("Inspect", trace_command, add_trace(app, request));
   add("Compare and convert", compare_command, add_compare(app, request));
   add("Compare and convert", convert_command, add_convert(app, request));
-  for (const auto& [name, description] : python_commands)
-    add("Show (by the Python package)", nullptr, app.add_subcommand(name, description));
+  for (const auto& [name, description] : python_commands) {  // which has their options, and their help
+    CLI::App* const command = app.add_subcommand(name, description)->group("Show (by the Python package)")->prefix_command();
+    command->set_help_flag();
+    command->final_callback([&request] { request.by_python = true; });
+  }
   try {
     request.words = words_of(argc, argv);
     parse(app, request.words);

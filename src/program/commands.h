@@ -50,6 +50,7 @@ struct MeshRequest {
 struct Request {
   void (*action)(const Request&) = nullptr;  // the command; null: help or version was printed
   bool shared = false;                       // by the processes of a job
+  bool by_python = false;                    // the words are for the Python package
   std::vector<std::string> words;            // of the command line
   std::filesystem::path case_file;
   std::vector<std::filesystem::path> studied;  // converge: netCDF files in place of a case

@@ -45,7 +45,8 @@ void write_files(const Request& request, const Comparison& comparison) {
   stop_if_interrupted();
   if (!trouble.empty()) warn(trouble);
   replace_results(results, folder.path(), comparison_results, {}, [&ending] { ending.complete(); });
-  fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
+  if (!request.json)
+    fmt::print("results in {}: compare.csv{}\n", folder.path().string(), trouble.empty() ? ", compare.png, compare.svg" : "");
 }
 
 // What exceeds a tolerance, in words; empty if nothing does.

@@ -49,12 +49,12 @@ void be_quiet() {
 }
 
 int execute(const Request& request) {
-  if (!request.action) return 0;  // help or version was printed
+  if (!request.action && !request.by_python) return 0;  // help or version was printed
   if (!request.instruction_set.empty()) limit_instruction_set(request.instruction_set);
   if (request.ranks && !request.shared)
     throw InputError("this command does not share its work among processes; start it without mpirun");
   if (request.ranks && !request.ranks->leads()) return help_command(request), 0;
-  if (request.action == compare_command && compares_images(request)) return run_python(request.words);
+  if (request.by_python || (request.action == compare_command && compares_images(request))) return run_python(request.words);
   return request.action(request), 0;
 }
 
@@ -103,7 +103,6 @@ int main(int argc, char** argv) {
     job = launched_ranks(plugin_folders());
     ranks = job.get();
     if (ranks && !ranks->leads()) be_quiet();
-    if (const auto words = words_for_python(argc, argv); !words.empty() && !ranks) return run_python(words);
     Request request = parse_command_line(argc, argv);
     request.ranks = ranks;
     if (ranks && request.threads == 0) request.threads = ranks->threads();

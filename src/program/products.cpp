@@ -17,6 +17,7 @@
 #include "core/threads.h"
 #include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
+#include "jobs/recorded_run.h"
 #include "jobs/solvable.h"
 #include "output/compare/density_results.h"
 #include "output/files/sha256.h"
@@ -60,40 +61,12 @@ ProductSource source_of_pieces(const Request& request) {
   return source;
 }
 
-// A value of JSON in the syntax of TOML, which differs for tables alone: none of these sections holds one.
-void add_settings(const Json& resolved, const char* section, std::vector<std::string>& settings) {
-  if (const Json* const keys = find(resolved, section))
-    for (const auto& [key, value] : keys->items()) settings.push_back(fmt::format("{}.{}={}", section, key, text_of_json(value)));
-}
-
-// The case of run.json, with the settings that it was run with, those of --set among them. Throws InputError if it cannot be
-// read.
-Case case_of_run(const Json& run) {
-  std::vector<std::string> settings;
-  if (const Json* const resolved = find(run, "case")) {
-    if (const Json* target = find(*resolved, "target"))
-      for (const char* key : {"mesh", "unit"})
-        if (const Json* value = find(*target, key)) settings.push_back(fmt::format("target.{}={}", key, text_of_json(*value)));
-    for (const char* section : {"frequency", "look", "tubes", "accuracy", "edges", "surfaces"})
-      add_settings(*resolved, section, settings);
-  }
-  return read_case(text_at(run, "case_file"), settings);
-}
-
-// Of one mesh file a text, of several a list.
-std::vector<std::string> mesh_hashes(const Json& run) {
-  const Json* const mesh = find(run, "mesh");
-  const Json* const sha256 = mesh ? find(*mesh, "sha256") : nullptr;
-  if (!sha256) return {};
-  return sha256->is_string() ? std::vector{sha256->get<std::string>()} : sha256->get<std::vector<std::string>>();
-}
-
 // The target of a result, if its meshes are where its run had them, and the same.
 std::shared_ptr<const Target> target_of(const Json& run) {
   try {
-    const Case c = case_of_run(run);
+    const Case c = read_case(text_at(run, "case_file"), settings_of_run(run));
     LoadedMesh loaded = load_target(c);
-    if (mesh_hashes(run) != sha256_of_meshes(c, loaded.report)) return {};
+    if (mesh_sha256_of_run(run) != sha256_of_meshes(c, loaded.report)) return {};
     return std::make_shared<const Target>(std::move(loaded.mesh), c.wedges);
   } catch (const InputError&) {
     return {};
@@ -246,14 +219,14 @@ void make_product(const Request& request, Product& product) {
   product.run = source.of_case ? run.result : folder_of_input;
   product.check();
   const std::string text = product.make();
-  if (!request.quiet) fmt::print("{}", text);
+  if (!request.quiet || request.json) fmt::print("{}", text);
   const OutputFolder folder(destination.folder);
   AllOrNothing ending(folder);
   const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
   NewResults results(folder.path());
   product.write(results.folder(), destination, source.of_case && source.of_case->netcdf);
   replace_results(results, folder.path(), names, {}, [&ending] { ending.complete(); });
-  if (!request.quiet) print_places(names, results, Destination{folder.path(), destination.file});
+  if (!request.quiet && !request.json) print_places(names, results, Destination{folder.path(), destination.file});
 }
 
 }  // namespace raytube

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "output/picture/child_process.h"
+#include "program/work/exit_codes.h"
 
 namespace raytube {
 
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int machine = 3, no_package = 93;
+constexpr int no_package = 93;
 
 // What is missing is said here in one sentence once no interpreter has the package.
 constexpr const char* start =
@@ -49,19 +50,12 @@ int python(const std::vector<std::string>& words, ChildOutput output) {
     std::vector<std::string> arguments = {interpreter, "-c", start};
     arguments.insert(arguments.end(), words.begin(), words.end());
     const ChildEnd end = run_child(arguments, output, python_path(program));
-    if (!end.missing && end.code != no_package) return end.code < 0 ? machine : end.code;
+    if (!end.missing && end.code != no_package) return end.code < 0 ? exit_code::machine_failed : end.code;
   }
   return no_package;
 }
 
 }  // namespace
-
-std::vector<std::string> words_for_python(int argc, const char* const* argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.size() > 1 && words.front() == "help") words = {words[1], "--help"};
-  const auto is_first = [&](const auto& command) { return !words.empty() && words.front() == command.first; };
-  return std::ranges::any_of(python_commands, is_first) ? words : std::vector<std::string>{};
-}
 
 int run_python(const std::vector<std::string>& words) {
   const int code = python(words, ChildOutput::ours);
@@ -70,7 +64,7 @@ int run_python(const std::vector<std::string>& words) {
              "raytube: {} needs the Python package raytube, which no python3 here has; install the .deb of raytube, or run "
              "pip install . in its source folder\n",
              words.front());
-  return machine;
+  return exit_code::machine_failed;
 }
 
 std::string draw_with_python(const fs::path& folder, const std::vector<std::string>& files, const fs::path& run) {
@@ -78,7 +72,7 @@ std::string draw_with_python(const fs::path& folder, const std::vector<std::stri
   for (const std::string& file : files) words.push_back((folder / file).string());
   const int code = python(words, ChildOutput::silent);
   if (code == 0) return "";
-  if (code == no_package || code == machine)
+  if (code == no_package || code == exit_code::machine_failed)
     return "no pictures: the Python package raytube draws them, and it or matplotlib is not installed; raytube plot DIR, with "
            "the folder of "
            "the results, draws them later";

@@ -14,9 +14,6 @@ inline constexpr std::pair<const char*, const char*> python_commands[] = {
     {"statistics", "Mean, percentiles and distribution of sigma"},
     {"report", "One page of HTML from the results of a run"}};
 
-/// The words of a command line for the package, the command's name first; empty for the program's own commands.
-std::vector<std::string> words_for_python(int argc, const char* const* argv);
-
 /// Runs `python3 -m raytube` with these words, the command's name first, in the place of this program. Returns its exit code;
 /// where the package cannot be found, one sentence on stderr names it and the code is 3.
 int run_python(const std::vector<std::string>& words);

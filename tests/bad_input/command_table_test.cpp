@@ -288,7 +288,7 @@ std::vector<BadRow> command_rows() {
       {"mesh_without_frequency", "run mesh.off --unit mm", "give the frequency with --ghz"},
       {"mesh_azimuth_of_a_word", "run mesh.off --unit mm --ghz 10 --azimuth east", "--azimuth east: write a number"},
       {"unit_of_a_case", "run case.toml --unit mm", "--unit: goes with a mesh"},
-      {"unknown_command", "fly case.toml", "unknown command \"fly\"; there are run, "},
+      {"unknown_command", "fly case.toml", "unknown command \"fly\"; choose among run, "},
       {"command_in_capitals", "RUN case.toml", "unknown command \"RUN\"; did you mean \"run\"?"},
       {"command_of_1e5_letters", std::string(100000, 'f'), "unknown command \"fff"},
       {"option_unknown", "run case.toml --fast", "--fast; see raytube run --help"},

@@ -15,7 +15,7 @@ pytest.importorskip("pandas")
 from matplotlib.collections import LineCollection, QuadMesh  # noqa: E402
 from matplotlib.image import imread  # noqa: E402
 
-from raytube import _figures, _geometry, _plots, _rows  # noqa: E402
+from raytube import _figures, _geometry, _plots, _product_figures, _rows  # noqa: E402
 from raytube.__main__ import main  # noqa: E402
 
 SHAPES = {"peak": lambda theta, phi: 10.0 - 0.05 * np.abs(phi) - 0.2 * np.abs(theta - 90.0)}
@@ -146,7 +146,7 @@ def test_bands_are_the_model_uncertainty(made, tmp_path):
 
 
 def test_images_show_levels_outline_and_radar(made):
-    figure = _figures.isar_pictures(str(made / "isar.csv"), _figures.Options())["isar.png"]()
+    figure = _product_figures.isar_pictures(str(made / "isar.csv"), _figures.Options())["isar.png"]()
     ax = figure.axes[0]
     image = rt.load(made / "rcs.nc").isar(size=None)
     assert [a.get_title() for a in figure.axes[:2]] == ["VV", "HH"] and "φ = 45° ± 10°" in figure._suptitle.get_text()
@@ -174,7 +174,7 @@ def test_a_mesh_that_has_changed_is_not_drawn(made, tmp_path):
 def test_profiles_of_csv_and_netcdf_are_the_same(made, tmp_path, program):
     (tmp_path / "p").mkdir()
     program("profile", made / "rcs.nc", "-o", tmp_path / "p/profile.nc", "--quiet")
-    lines = [_figures.profile_pictures(str(file), _figures.Options())["profile.png"]().axes[0].lines
+    lines = [_product_figures.profile_pictures(str(file), _figures.Options())["profile.png"]().axes[0].lines
              for file in (made / "profile.csv", tmp_path / "p/profile.nc")]
     assert [line.get_label() for line in lines[0]] == [line.get_label() for line in lines[1]]
     for ours, theirs in zip(*lines):
@@ -184,12 +184,12 @@ def test_profiles_of_csv_and_netcdf_are_the_same(made, tmp_path, program):
 def test_pauli_images_are_bright_and_known_by_a_key():
     amplitudes = np.zeros((40, 40, 3))
     amplitudes[:20, :, 2], amplitudes[0, 0, 0] = 1.0, 100.0
-    colours, _ = _figures.pauli_colours(amplitudes)
+    colours, _ = _product_figures.pauli_colours(amplitudes)
     assert np.all(colours[:20, 1:, 2] == 1.0) and np.all(colours[20:] == 0.0) and colours[0, 0, 0] == 1.0
 
 
 def test_parts_add_up(made):
-    figure = _figures.parts_pictures(str(made / "parts.csv"), _figures.Options())["parts.png"]()
+    figure = _product_figures.parts_pictures(str(made / "parts.csv"), _figures.Options())["parts.png"]()
     together = figure.axes[0].lines[0]
     sigma = rt.load(made / "rcs.nc").sigma_dbsm.sel(channel="vv").values
     assert together.get_label() == "all together"
@@ -201,12 +201,12 @@ def test_comparisons_of_two_quantities_are_maps_of_the_difference(tmp_path, prog
     ours = table(tmp_path / "a.csv", theta, phi, 1.0)
     theirs = table(tmp_path / "b.csv", theta, phi, 1.0, lambda t, p: SHAPES["peak"](t, p) + 0.01 * p)
     program("compare", tmp_path / "a.csv", tmp_path / "b.csv", "-o", tmp_path / "c")
-    figure = _figures.comparison_pictures(str(tmp_path / "c/compare.csv"), _figures.Options())["compare.png"]()
+    figure = _product_figures.comparison_pictures(str(tmp_path / "c/compare.csv"), _figures.Options())["compare.png"]()
     assert [ax.get_title() for ax in figure.axes[:3]] == ["VV result", "VV reference", "VV result − reference"]
     assert np.allclose(np.asarray(figure.axes[2].collections[0].get_array()).ravel(), ours - theirs)
     low, high = figure.axes[2].collections[0].get_clim()
     assert low == -high
-    line = _figures.comparison_pictures(str(tmp_path / "c/compare.csv"), _figures.Options(kind="curves"))["compare.png"]()
+    line = _product_figures.comparison_pictures(str(tmp_path / "c/compare.csv"), _figures.Options(kind="curves"))["compare.png"]()
     assert line.axes[0].lines
 
 
@@ -215,7 +215,7 @@ def test_convergence(tmp_path):
         "# order           2.00, from 2, 4 and 8 tubes per wavelength; 1.50 on average over all\n"
         "# recommendation  tubes.per_wavelength = 4, the coarsest\n"
         "per_wavelength,tubes,rays,solve_s,estimated_relative_error\n2,1,10,0.1,0.08\n4,2,20,0.2,0.02\n8,3,40,0.4,0.005\n")
-    figure = _figures.convergence_pictures(str(tmp_path / "converge.csv"), _figures.Options())["converge.svg"]()
+    figure = _product_figures.convergence_pictures(str(tmp_path / "converge.csv"), _figures.Options())["converge.svg"]()
     labels = [line.get_label() for line in figure.axes[0].lines]
     assert "order 1.50, the mean" in labels and "recommended: 4" in labels
     assert list(figure.axes[1].lines[0].get_xdata()) == [0.1, 0.2, 0.4]
@@ -281,7 +281,7 @@ def test_titles_come_from_the_run(tmp_path):
 
 def test_points_of_sources_share_their_axes(tmp_path, program):
     program("sources", CASES / "double_slit/case.toml", "-o", tmp_path / "s", "--set", "source.rays=2000")
-    pictures = _figures.sources_pictures(str(tmp_path / "s/sources.csv"), _figures.Options())
+    pictures = _product_figures.sources_pictures(str(tmp_path / "s/sources.csv"), _figures.Options())
     points = {}
     for line in (tmp_path / "s/hits.ply").read_text().split("end_header\n")[1].splitlines():
         x, y, z, model, bounce = map(float, line.split())

@@ -139,7 +139,7 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
 }
 
 std::string name_meant(std::string_view name, std::span<const std::string> known) {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t most = 16;
   if (known.empty()) return "there are no names to choose among";
   if (const std::string_view nearest = nearest_name(name, known); !nearest.empty())
     return fmt::format("did you mean \"{}\"?", quotable(nearest));

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/decimal.h"
-#include "output/compare/measure_lines.h"
+#include "core/ordered_json.h"
 #include "output/files/files.h"
 #include "output/tables/csv.h"
 
@@ -38,18 +38,37 @@ std::string rows_text(const Comparison& c) {
   return text + (c.scale ? scale_text(*c.scale) : "");
 }
 
-std::string line(const Comparison& c, const std::string& name, double ErrorMeasures::*measure) {
-  return measure_line(c.signal, name, [&](int channel) { return four_digits(c.errors[channel].*measure); });
+// Four digits, or "-" where there is no number.
+std::string four_digits(double value) { return std::isnan(value) ? "-" : fmt::format("{:.4g}", value); }
+
+// A name and a value for every channel with signal.
+template <class Value>
+std::string line(const Comparison& c, const std::string& name, const Value& value) {
+  std::string text = fmt::format("  {:<48}", name);
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    if (c.signal[channel]) text += fmt::format("{:>12}", value(channel));
+  return text + '\n';
+}
+
+template <std::size_t count>
+std::string lines(const Comparison& c, const std::array<NamedMeasure, count>& measures) {
+  std::string text;
+  for (const NamedMeasure& measure : measures)
+    text += line(c, measure.words, [&](std::size_t channel) { return four_digits(c.errors[channel].*measure.value); });
+  return text;
+}
+
+std::string near_peak_text(const Comparison& c) {
+  return fmt::format("dB error, result minus reference, where the reference is within {:g} dB of its peak\n", c.within_db) +
+         line(c, "rows", [&](std::size_t channel) { return std::to_string(c.errors[channel].within); }) +
+         lines(c, near_peak_measures);
 }
 
 std::string all_rows_text(const Comparison& c) {
-  std::string text = fmt::format("over all {} rows\n", c.rows());
-  text += line(c, "relative error of complex S", &ErrorMeasures::relative_error);
-  text += line(c, fmt::format("Austin measure, dB, floor {:g} dB below the peak", dynamic_range_db), &ErrorMeasures::austin_db);
-  text += line(c, "correlation of the dB curves, same floor", &ErrorMeasures::correlation);
+  std::string text = fmt::format("over all {} rows\n", c.rows()) + lines(c, all_rows_measures);
   if (c.cuts.quantity != RowCoordinates::look_number)
-    text += measure_line(c.signal, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
-                         [&](int channel) { return four_digits(c.lag[channel]); });
+    text += line(c, fmt::format("lag of the result, {}", lag_units[c.cuts.quantity]),
+                 [&](std::size_t channel) { return four_digits(c.lag[channel]); });
   return text;
 }
 
@@ -92,22 +111,24 @@ std::string csv_comments(const Comparison& c) {
 }
 
 std::string csv_header() {
-  std::string header =
-      "channel,result_peak_dbsm,reference_peak_dbsm,rows,rows_within,rms_db,mean_abs_db,median_abs_db,p95_abs_db,largest_abs_db,"
-      "bias_db,at_peak_db,relative_error,austin_db,correlation,lag,lag_unit";
+  std::string header = "channel";
+  for (const NamedMeasure& measure : peak_measures) header += fmt::format(",{}", measure.name);
+  header += ",rows,rows_within";
+  for (const NamedMeasure& measure : near_peak_measures) header += fmt::format(",{}", measure.name);
+  for (const NamedMeasure& measure : all_rows_measures) header += fmt::format(",{}", measure.name);
+  header += ",lag,lag_unit";
   for (const char* key : key_names) header += fmt::format(",largest_{}", key);
   return header + '\n';
 }
 
-std::string csv_row(const Comparison& c, int channel) {
+std::string csv_row(const Comparison& c, std::size_t channel) {
   const ErrorMeasures& e = c.errors[channel];
   std::string text = channel_names[channel];
-  for (const double value : {e.result_peak_dbsm, e.reference_peak_dbsm}) text += ',' + number_text(value);
+  for (const NamedMeasure& measure : peak_measures) text += ',' + number_text(e.*measure.value);
   text += fmt::format(",{},{}", c.rows(), e.within);
-  for (const double value : {e.rms_db, e.mean_abs_db, e.median_abs_db, e.p95_abs_db, e.largest_abs_db, e.bias_db, e.at_peak_db,
-                             e.relative_error, e.austin_db, e.correlation, c.lag[channel]})
-    text += ',' + number_text(value);
-  text += std::string(",") + lag_units[c.cuts.quantity];
+  for (const NamedMeasure& measure : near_peak_measures) text += ',' + number_text(e.*measure.value);
+  for (const NamedMeasure& measure : all_rows_measures) text += ',' + number_text(e.*measure.value);
+  text += fmt::format(",{},{}", number_text(c.lag[channel]), lag_units[c.cuts.quantity]);
   for (int k = 0; k < ResultTable::keys; ++k)
     text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
   return text + '\n';
@@ -117,42 +138,34 @@ std::string csv_row(const Comparison& c, int channel) {
 
 std::string comparison_text(const Comparison& c) {
   std::string text = rows_text(c) + '\n';
-  text += measure_line(c.signal, "", [](int channel) { return std::string(channel_names[channel]); });
-  text += line(c, "peak of the result, dBsm", &ErrorMeasures::result_peak_dbsm);
-  text += line(c, "peak of the reference, dBsm", &ErrorMeasures::reference_peak_dbsm);
-  text += near_peak_lines(c.signal, c.within_db, "rows", [&](int channel) -> const ErrorMeasures& { return c.errors[channel]; }) +
-          all_rows_text(c) + '\n';
+  text += line(c, "", [](std::size_t channel) { return channel_names[channel]; });
+  text += lines(c, peak_measures) + near_peak_text(c) + all_rows_text(c) + '\n';
   for (int channel = 0; channel < 4; ++channel) text += c.signal[channel] ? largest_text(c, channel) : left_out_text(c, channel);
   return text;
 }
 
+static Json measures_json(const ErrorMeasures& e) {
+  Json json = {{"rows_within", e.within}};
+  const auto add = [&](const auto& measures) {
+    for (const NamedMeasure& measure : measures)
+      json[measure.name] = std::isfinite(e.*measure.value) ? Json(e.*measure.value) : Json();
+  };
+  add(peak_measures), add(near_peak_measures), add(all_rows_measures);
+  return json;
+}
+
 std::string comparison_json(const Comparison& c) {
   const double relative = relative_error(c);
-  nlohmann::ordered_json json = {{"result", c.result.file.string()},
-                                 {"reference", c.reference.file.string()},
-                                 {"rows", c.rows()},
-                                 {"rows_of_result", c.result.rows.size()},
-                                 {"rows_of_reference", c.reference.rows.size()},
-                                 {"within_db", c.within_db},
-                                 {"relative_error", std::isfinite(relative) ? nlohmann::ordered_json(relative) : nullptr}};
-  for (std::size_t channel = 0; channel < 4; ++channel) {
-    const ErrorMeasures& e = c.errors[channel];
-    if (c.signal[channel])
-      json["channels"][channel_names[channel]] = {{"result_peak_dbsm", e.result_peak_dbsm},
-                                                  {"reference_peak_dbsm", e.reference_peak_dbsm},
-                                                  {"rows_within", e.within},
-                                                  {"rms_db", e.rms_db},
-                                                  {"mean_abs_db", e.mean_abs_db},
-                                                  {"median_abs_db", e.median_abs_db},
-                                                  {"p95_abs_db", e.p95_abs_db},
-                                                  {"largest_abs_db", e.largest_abs_db},
-                                                  {"bias_db", e.bias_db},
-                                                  {"at_peak_db", e.at_peak_db},
-                                                  {"relative_error", e.relative_error},
-                                                  {"austin_db", e.austin_db},
-                                                  {"correlation", e.correlation}};
-  }
-  return json.dump(2);
+  Json json = {{"result", c.result.file.string()},
+               {"reference", c.reference.file.string()},
+               {"rows", c.rows()},
+               {"rows_of_result", c.result.rows.size()},
+               {"rows_of_reference", c.reference.rows.size()},
+               {"within_db", c.within_db},
+               {"relative_error", std::isfinite(relative) ? Json(relative) : Json()}};
+  for (std::size_t channel = 0; channel < 4; ++channel)
+    if (c.signal[channel]) json["channels"][channel_names[channel]] = measures_json(c.errors[channel]);
+  return text_of_json(json, 2);
 }
 
 void write_compare_csv(const std::filesystem::path& file, const Comparison& c, const std::array<std::string, 2>& columns) {
@@ -161,24 +174,18 @@ void write_compare_csv(const std::filesystem::path& file, const Comparison& c, c
   for (const auto& [option, text] : {std::pair{"--result-columns", columns[0]}, std::pair{"--reference-columns", columns[1]}})
     if (!text.empty()) out.write(fmt::format("# {} {}\n", option, text));
   out.write(csv_header());
-  for (int channel = 0; channel < 4; ++channel)
+  for (std::size_t channel = 0; channel < 4; ++channel)
     if (c.compared[channel]) out.write(csv_row(c, channel));
   out.commit();
 }
 
-std::string channels_above(const std::array<double, 4>& rms_db, const std::array<bool, 4>& unexpected, double tolerance_db) {
+std::string above_tolerance(const Comparison& c, double tolerance_db) {
   std::string text;
   for (std::size_t channel = 0; channel < 4; ++channel) {
-    const double rms = unexpected[channel] ? std::numeric_limits<double>::infinity() : rms_db[channel];
+    const double rms = c.unexpected[channel] ? std::numeric_limits<double>::infinity() : c.errors[channel].rms_db;
     if (rms > tolerance_db) text += fmt::format("{}{} {:.4g} dB", text.empty() ? "" : ", ", channel_names[channel], rms);
   }
   return text;
-}
-
-std::string above_tolerance(const Comparison& c, double tolerance_db) {
-  std::array<double, 4> rms{};
-  for (std::size_t channel = 0; channel < 4; ++channel) rms[channel] = c.errors[channel].rms_db;
-  return channels_above(rms, c.unexpected, tolerance_db);
 }
 
 }  // namespace raytube

@@ -22,6 +22,5 @@ void write_compare_csv(const std::filesystem::path& file, const Comparison& comp
 /// The channels whose rms error exceeds the tolerance, or that have a strong signal in the result alone: "vv 0.31 dB, vh inf dB".
 /// Empty if there is none.
 std::string above_tolerance(const Comparison& comparison, double tolerance_db);
-std::string channels_above(const std::array<double, 4>& rms_db, const std::array<bool, 4>& unexpected, double tolerance_db);
 
 }  // namespace raytube

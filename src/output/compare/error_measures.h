@@ -1,6 +1,7 @@
 // How far a result is from a reference: error measures of one channel.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -33,6 +34,29 @@ struct ErrorMeasures {
   double austin_db = undefined;       // mean distance of the levels, both raised to the floor
   double correlation = undefined;     // Pearson's, of the levels, both raised to the floor
 };
+
+/// One measure: its name in files, in words, and its value.
+struct NamedMeasure {
+  const char *name, *words;
+  double ErrorMeasures::*value;
+};
+
+static_assert(dynamic_range_db == 80.0, "the words below name it");
+inline constexpr std::array<NamedMeasure, 2> peak_measures{
+    {{"result_peak_dbsm", "peak of the result, dBsm", &ErrorMeasures::result_peak_dbsm},
+     {"reference_peak_dbsm", "peak of the reference, dBsm", &ErrorMeasures::reference_peak_dbsm}}};
+inline constexpr std::array<NamedMeasure, 7> near_peak_measures{
+    {{"rms_db", "rms", &ErrorMeasures::rms_db},
+     {"mean_abs_db", "mean |error|", &ErrorMeasures::mean_abs_db},
+     {"median_abs_db", "median |error|", &ErrorMeasures::median_abs_db},
+     {"p95_abs_db", "95th percentile of |error|", &ErrorMeasures::p95_abs_db},
+     {"largest_abs_db", "largest |error|", &ErrorMeasures::largest_abs_db},
+     {"bias_db", "bias (mean error)", &ErrorMeasures::bias_db},
+     {"at_peak_db", "error at the reference's peak", &ErrorMeasures::at_peak_db}}};
+inline constexpr std::array<NamedMeasure, 3> all_rows_measures{
+    {{"relative_error", "relative error of complex S", &ErrorMeasures::relative_error},
+     {"austin_db", "Austin measure, dB, floor 80 dB below the peak", &ErrorMeasures::austin_db},
+     {"correlation", "correlation of the dB curves, same floor", &ErrorMeasures::correlation}}};
 
 /// The measures of a channel whose reference is not zero throughout; rows whose reference is within `within_db` [dB] of its peak
 /// are near enough to it.

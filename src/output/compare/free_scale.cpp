@@ -17,29 +17,25 @@ Complex amplitude(const ResultTable& table, const ResultTable::Row& row, int cha
 
 }  // namespace
 
-void ScaleFit::add(Complex result, Complex reference) {
-  product_ += std::conj(result) * reference;
-  of_magnitudes_ += std::abs(result) * std::abs(reference);
-  square_ += std::norm(result);
-}
-
-FreeScale ScaleFit::scale(const std::filesystem::path& result, const std::filesystem::path& reference) const {
-  const Complex factor = (phase_ ? product_ : Complex(of_magnitudes_)) / square_;
-  if (!(std::abs(factor) > 0.0) || !std::isfinite(std::abs(factor)))
-    throw InputError(fmt::format("--free-scale: {} and {} have no signal in common; leave the option out", result.string(),
-                                 reference.string()));
-  return {factor, phase_};
-}
-
 FreeScale fit_scale(const ResultTable& result, const ResultTable& reference, const RowMatch& match) {
-  ScaleFit fit;
+  bool phase = true;
+  Complex product = 0.0;
+  double of_magnitudes = 0.0, square = 0.0;
   for (const int c : {0, 1, 2, 3}) {
     if (!result.has_channel[c] || !reference.has_channel[c]) continue;
-    if (!result.has_phase[c] || !reference.has_phase[c]) fit.leave_phase();
-    for (const auto& [i, j] : match.common)
-      fit.add(amplitude(result, result.rows[i], c), amplitude(reference, reference.rows[j], c));
+    phase = phase && result.has_phase[c] && reference.has_phase[c];
+    for (const auto& [i, j] : match.common) {
+      const Complex a = amplitude(result, result.rows[i], c), b = amplitude(reference, reference.rows[j], c);
+      product += std::conj(a) * b;
+      of_magnitudes += std::abs(a) * std::abs(b);
+      square += std::norm(a);
+    }
   }
-  return fit.scale(result.file, reference.file);
+  const Complex factor = (phase ? product : Complex(of_magnitudes)) / square;
+  if (!(std::abs(factor) > 0.0) || !std::isfinite(std::abs(factor)))
+    throw InputError(fmt::format("--free-scale: {} and {} have no signal in common; leave the option out", result.file.string(),
+                                 reference.file.string()));
+  return {factor, phase};
 }
 
 std::string scale_text(const FreeScale& scale) {

@@ -1,7 +1,6 @@
 // The calibration that a table lacks: one factor for all its amplitudes.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "output/compare/match_rows.h"
@@ -12,21 +11,6 @@ namespace raytube {
 struct FreeScale {
   Complex factor;
   bool phase;  // of a complex factor; without it, where no phases are to be had, it is positive
-};
-
-/// Sums over pairs of amplitudes, from which the factor of the first ones follows.
-class ScaleFit {
- public:
-  /// Magnitudes alone count: also those of pairs that were added before.
-  void leave_phase() { phase_ = false; }
-  void add(Complex result, Complex reference);
-  /// Throws InputError, in which these are the names of both, where the factor is not a number greater than 0.
-  FreeScale scale(const std::filesystem::path& result, const std::filesystem::path& reference) const;
-
- private:
-  bool phase_ = true;
-  Complex product_ = 0.0;
-  double of_magnitudes_ = 0.0, square_ = 0.0;
 };
 
 /// The factor of all of the result's amplitudes that brings it nearest to the reference: sum conj(a) b / sum |a|^2 over the

@@ -145,6 +145,13 @@ std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most) {
   return choice;
 }
 
+std::size_t peak_row(const SweepResult& result) {
+  return static_cast<std::size_t>(std::ranges::max_element(result.total, {}, largest_amplitude) - result.total.begin());
+}
+
+namespace {
+
+// Some of these cuts, evenly spread; the nearest to that through this row is replaced by it.
 std::vector<std::size_t> choice_with(const std::vector<CutRows>& cuts, std::size_t row, std::size_t most) {
   std::vector<std::size_t> choice = spread_choice(cuts.size(), most);
   const auto through = std::ranges::find_if(cuts, [&](const CutRows& cut) { return holds(cut.rows, row); }) - cuts.begin();
@@ -154,10 +161,7 @@ std::vector<std::size_t> choice_with(const std::vector<CutRows>& cuts, std::size
   return choice;
 }
 
-std::size_t peak_row(const SweepResult& result) {
-  return static_cast<std::size_t>(std::ranges::max_element(result.total, {}, largest_amplitude) - result.total.begin());
-}
-
+// The curves of S in these rows.
 Cut curves_of(const CutRows& rows, Quantity quantity, const std::vector<ScatteringMatrix>& s) {
   Cut cut{rows.fixed, rows.x, {}, rows.rows, quantity};
   for (const std::size_t row : rows.rows)
@@ -166,11 +170,7 @@ Cut curves_of(const CutRows& rows, Quantity quantity, const std::vector<Scatteri
   return cut;
 }
 
-Cut cut_through(std::size_t row, Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result) {
-  for (auto& group : groups_along(quantity, coordinates.rows))
-    if (holds(group, row)) return curves_of(cut_rows(std::move(group), quantity, coordinates), quantity, result.total);
-  return {};
-}
+}  // namespace
 
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts) {
   const CutPlan plan = plan_cuts(coordinates_of_rows(sweep));

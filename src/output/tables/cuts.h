@@ -51,9 +51,6 @@ std::string coordinates_text(const RowCoordinates& coordinates, std::size_t row)
 /// At most `most` of `count` cuts, evenly spread from the first to the last.
 std::vector<std::size_t> spread_choice(std::size_t count, std::size_t most);
 
-/// The same of these cuts, the nearest one replaced by that through this row.
-std::vector<std::size_t> choice_with(const std::vector<CutRows>& cuts, std::size_t row, std::size_t most);
-
 /// Curves over one quantity, the others held fixed.
 struct Cut {
   std::string fixed;  // "10 GHz, θ = 90°"
@@ -72,13 +69,7 @@ struct Cuts {
 /// The row of the largest amplitude in any channel, the first one of equals.
 std::size_t peak_row(const SweepResult& result);
 
-/// The curves of S in these rows.
-Cut curves_of(const CutRows& rows, RowCoordinates::Quantity quantity, const std::vector<ScatteringMatrix>& s);
-
-/// The curve over one quantity that holds this row.
-Cut cut_through(std::size_t row, RowCoordinates::Quantity quantity, const RowCoordinates& coordinates, const SweepResult& result);
-
-/// The curves of plan_cuts, or the few of them that choice_with takes with that through the peak.
+/// The curves of plan_cuts, or a few of them, evenly spread, with that through the peak.
 Cuts choose_cuts(const Sweep& sweep, const SweepResult& result, std::size_t most_cuts);
 
 }  // namespace raytube

@@ -60,7 +60,7 @@ Layout layout_of(const CsvReader& reader, const ColumnMap& map, const std::strin
 
 void read_channel(const CsvReader& reader, const ChannelSource& source, int channel, ResultTable::Row& row) {
   if (!source.any()) return;
-  const ChannelValue value = channel_value(CsvRow(reader), source);
+  const ChannelValue value = channel_value(reader, source);
   row.s[channel] = value.s;
   row.sigma_dbsm[channel] = value.sigma_dbsm;
 }
@@ -68,7 +68,7 @@ void read_channel(const CsvReader& reader, const ChannelSource& source, int chan
 ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {
   ResultTable::Keys key{};
   for (int k = 0; k < ResultTable::keys; ++k)
-    if (layout.keys[k]) key[k] = value_of(CsvRow(reader), layout.keys[k], "write an angle in degrees or a frequency");
+    if (layout.keys[k]) key[k] = value_of(reader, layout.keys[k], "write an angle in degrees or a frequency");
   if (layout.keys[ResultTable::frequency] && !(key[ResultTable::frequency] > 0.0))
     throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.location()));
   return key;

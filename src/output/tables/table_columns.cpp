@@ -77,8 +77,9 @@ ChannelSource received_source(const TableHeader& header, const std::string& rece
 
 constexpr double highest_level = 500.0;  // [dBsm]: about what a plate of the Sun's width returns in visible light
 
-double sigma_cell(const TableRow& row, const ColumnSource& source) {
-  if (row.is_minus_infinity(*source.column)) return -std::numeric_limits<double>::infinity();
+double sigma_cell(const CsvReader& row, const ColumnSource& source) {
+  if (parsed_number(row.cell(*source.column)) == -std::numeric_limits<double>::infinity())
+    return -std::numeric_limits<double>::infinity();
   const double level = value_of(row, source, "write decibels as a number, and -inf for zero");
   if (level > highest_level)
     throw InputError(
@@ -87,7 +88,7 @@ double sigma_cell(const TableRow& row, const ColumnSource& source) {
   return level;
 }
 
-double power_cell(const TableRow& row, const ColumnSource& source) {
+double power_cell(const CsvReader& row, const ColumnSource& source) {
   const double power = value_of(row, source, "write sigma in square metres");
   if (power < 0.0)
     throw InputError(
@@ -96,7 +97,7 @@ double power_cell(const TableRow& row, const ColumnSource& source) {
 }
 
 // |S|, of sqrt(sigma), of sigma or of a level.
-double amplitude(const TableRow& row, const ChannelSource& source) {
+double amplitude(const CsvReader& row, const ChannelSource& source) {
   if (source.has_level()) return std::pow(10.0, sigma_cell(row, source.level) / 20.0) / std::sqrt(4.0 * pi);
   if (!source.magnitude) return std::sqrt(power_cell(row, source.power) / (4.0 * pi));
   const double magnitude = value_of(row, source.magnitude, "write the root of sigma in metres");
@@ -104,7 +105,7 @@ double amplitude(const TableRow& row, const ChannelSource& source) {
   return magnitude / std::sqrt(4.0 * pi);
 }
 
-Complex amplitude_with_phase(const TableRow& row, const ChannelSource& source) {
+Complex amplitude_with_phase(const CsvReader& row, const ChannelSource& source) {
   if (!source.re)
     return std::polar(amplitude(row, source), source.phase ? value_of(row, source.phase, "write a phase in radians") : 0.0);
   const double real = value_of(row, source.re, "write an amplitude in metres");
@@ -165,19 +166,11 @@ ChannelColumns find_channels(const TableHeader& header) {
                                      header.remedy("sigma_vv_dbsm"));
 }
 
-double CsvRow::finite_number(std::size_t column, const std::string& remedy) const {
-  return reader_.finite_number(column, remedy);
-}
-
-bool CsvRow::is_minus_infinity(std::size_t column) const {
-  return parsed_number(reader_.cell(column)) == -std::numeric_limits<double>::infinity();
-}
-
-double value_of(const TableRow& row, const ColumnSource& source, const std::string& remedy) {
+double value_of(const CsvReader& row, const ColumnSource& source, const std::string& remedy) {
   return source.factor * row.finite_number(*source.column, remedy) + source.offset;
 }
 
-ChannelValue channel_value(const TableRow& row, const ChannelSource& source) {
+ChannelValue channel_value(const CsvReader& row, const ChannelSource& source) {
   const Complex s = amplitude_with_phase(row, source);
   return {s, source.has_level() ? sigma_cell(row, source.level) : sigma_dbsm(s)};
 }

@@ -60,29 +60,9 @@ class TableHeader {
 /// Throws InputError if there is no channel.
 ChannelColumns find_channels(const TableHeader& header);
 
-/// A row of numbers, in a text or elsewhere.
-class TableRow {
- public:
-  virtual ~TableRow() = default;
-  /// Throws InputError that ends with `remedy` if it is none or not finite.
-  virtual double finite_number(std::size_t column, const std::string& remedy) const = 0;
-  virtual bool is_minus_infinity(std::size_t column) const = 0;
-  virtual std::string location() const = 0;
-};
-
-/// The row that a reader has come to.
-class CsvRow : public TableRow {
- public:
-  explicit CsvRow(const CsvReader& reader) : reader_(reader) {}
-  double finite_number(std::size_t column, const std::string& remedy) const override;
-  bool is_minus_infinity(std::size_t column) const override;
-  std::string location() const override { return reader_.location(); }
-
- private:
-  const CsvReader& reader_;
-};
-
-double value_of(const TableRow& row, const ColumnSource& source, const std::string& remedy);
+/// A cell of the row that the reader has come to, in our unit. Throws InputError that ends with `remedy` if it is no finite
+/// number.
+double value_of(const CsvReader& row, const ColumnSource& source, const std::string& remedy);
 
 struct ChannelValue {
   Complex s;          // [m]
@@ -90,7 +70,7 @@ struct ChannelValue {
 };
 
 /// Of a channel that has columns. Throws InputError for what is no radar cross-section.
-ChannelValue channel_value(const TableRow& row, const ChannelSource& source);
+ChannelValue channel_value(const CsvReader& row, const ChannelSource& source);
 
 /// 0 for V, 1 for H. Throws InputError for anything else.
 int transmit_of(const CsvReader& reader, std::size_t column);

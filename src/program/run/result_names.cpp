@@ -49,7 +49,7 @@ std::vector<std::string> names_of_earlier_results(const Destination& destination
   if (destination.one_file()) return {};
   std::vector<std::string> names = names_of_images(destination.folder);
   names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "power.csv", "random.csv", "rcs.nc",
-                             "rcs.png", "rcs.svg", "rcs_polar.png", "rcs_polar.svg", "report.html"});
+                             "rcs.png", "rcs.svg", "report.html"});
   return names;
 }
 
