@@ -1,25 +1,29 @@
 #include "jobs/recorded_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 namespace raytube {
 
-// A value of JSON is one of TOML, too, but for tables: none of these sections holds one.
+// Values of JSON are those of TOML, but for tables: a section takes the place of the whole section of the file, so that what
+// stood there before, looks_csv beside angles say, does not stand in its way. None of these holds a table.
 std::vector<std::string> settings_of_run(const Json& run) {
   std::vector<std::string> settings;
   const Json* const resolved = find(run, "case");
   if (!resolved) return settings;
-  const auto add = [&](const char* section, const std::string& key, const Json& value) {
-    settings.push_back(fmt::format("{}.{}={}", section, key, text_of_json(value)));
-  };
   if (const Json* const target = find(*resolved, "target"))
     for (const char* key : {"mesh", "unit"})
-      if (const Json* const value = find(*target, key)) add("target", key, *value);
-  for (const char* section : {"frequency", "look", "tubes", "accuracy", "edges", "surfaces"})
-    if (const Json* const keys = find(*resolved, section))
-      for (const auto& [key, value] : keys->items()) add(section, key, value);
+      if (const Json* const value = find(*target, key))
+        settings.push_back(fmt::format("target.{}={}", key, text_of_json(*value)));
+  for (const char* section : {"frequency", "look", "receive", "tubes", "accuracy", "edges", "surfaces"}) {
+    const Json* const keys = find(*resolved, section);
+    if (!keys) continue;
+    std::vector<std::string> values;
+    for (const auto& [key, value] : keys->items()) values.push_back(fmt::format("{} = {}", key, text_of_json(value)));
+    settings.push_back(fmt::format("{}={{{}}}", section, fmt::join(values, ", ")));
+  }
   return settings;
 }
 

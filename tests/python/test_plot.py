@@ -160,6 +160,7 @@ def test_images_show_levels_outline_and_radar(made):
 def test_a_mesh_that_has_changed_is_not_drawn(made, tmp_path):
     mesh = tmp_path / "square.off"
     mesh.write_text("OFF\n4 1 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 1 2 3\n")
+    (tmp_path / "case.toml").write_text("[target]\nmesh = \"square.off\"\nunit = \"m\"\n[frequency]\nghz = 1\n[look]\ntheta_deg = 0\nphi_deg = 0\n")
     described = {"case_file": str(tmp_path / "case.toml"), "case": {"target": {"mesh": "square.off", "unit": "m"}},
                  "mesh": {"sha256": sha256(mesh.read_bytes()).hexdigest()}}
     target = _geometry.target_of_run(described)
