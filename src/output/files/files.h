@@ -1,13 +1,13 @@
-// The room of results: what is written, read back, compared and drawn. It knows results, neither meshes nor rays nor cases.
+// The room of results: what is written, read back and compared. It knows results, neither meshes nor rays nor cases.
 //
 //     files    how files come to be: folders, locks, hashes, run.json, the journal of finished looks
 //     netcdf   results as netCDF-4 files, written and read
 //     tables   rcs.csv and its relatives, written; tables from any source, read
 //     vtk      results in space, for ParaView
+//     products range profiles, images and scattering centres, written
 //     compare  two results beside each other, convergence over tube density, random runs
-//     plots    pictures through gnuplot
-//     charts, statistics: what is drawn of, and told about, results that are there
-//     report   a page of HTML
+//     words    summaries, counts and warnings as sentences
+//     picture  the plain picture of a run, by gnuplot; all others are the Python package's
 //
 // Each includes only from those before it. Angles in tables are in degrees, frequencies in Hz, S in metres, sigma in dBsm;
 // channels pq = vv, vh, hv, hh name the receive polarisation first.
