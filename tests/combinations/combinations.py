@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every feature with every other, on a small scene: docs/reference/combinations.md is what comes out.
 
-    tests/combinations/combinations.py build/raytube docs/reference/combinations.md [--only NAME] [--write]
+    tests/combinations/combinations.py build/raytube docs/reference/combinations.md [--only NAME] [--every N] [--write]
 
 Each pair runs and passes the checks of both (features.py, products.py), or is refused for a reason that the page gives. Exit code 1 if
 the page says otherwise; with --write its tables are made anew. 77 where the package for Python or MPI is missing and all else is right.
@@ -95,6 +95,14 @@ def table(results):
     return "".join("    " + line.rstrip() + "\n" for line in lines)
 
 
+def cells_of(text):
+    """What the page says of each pair."""
+    columns = [*PHYSICS, *PRODUCTS]
+    width = max(len(feature.name) for feature in columns) + 3
+    rows = text[text.index("<!-- begin of the table -->"):text.index("<!-- end of the table -->")].split("\n")[3:]
+    return {(one.name, other.name): row[4 + width + 3 * i:][:2].strip() for one, row in zip(columns, rows) for i, other in enumerate(columns)}
+
+
 def page_with(text, made):
     begin, end = text.index("<!-- begin of the table -->\n"), text.index("<!-- end of the table -->")
     return text[:begin] + "<!-- begin of the table -->\n\n" + made + "\n" + text[end:]
@@ -113,12 +121,14 @@ def main():
     parser.add_argument("program")
     parser.add_argument("page", type=pathlib.Path)
     parser.add_argument("--only", default="", help="pairs of this feature alone; the page is not looked at")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="one pair of N alone; the table in the page is compared with these")
     parser.add_argument("--write", action="store_true", help="the page's table anew")
     args = parser.parse_args()
     by_a_python_with_packages()
     features = [*PHYSICS, *PRODUCTS]
     pairs = [(one, other) for i, one in enumerate(features) for other in features[i:]]
     pairs = [pair for pair in pairs if not args.only or args.only in (pair[0].name, pair[1].name)]
+    pairs = pairs[::args.every]
     with tempfile.TemporaryDirectory(prefix="raytube-combinations-") as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
         solver = Solver(args.program, folder)
         found = dict(zip(((a.name, b.name) for a, b in pairs), pool.map(lambda pair: outcome(solver, *pair), pairs)))
@@ -127,6 +137,11 @@ def main():
         print(f"{one} with {other}: {said}")
     if args.only:
         print("\n".join(f"{a} with {b}: {said}" for (a, b), said in found.items() if len(said) == 1))
+    elif args.every > 1:
+        said = cells_of(args.page.read_text())
+        wrong += [(f"{a} with {b}: the page says {said[a, b]}, found {cell}", cell)
+                  for (a, b), cell in found.items() if cell not in (said[a, b], UNKNOWN) and len(cell) == 1]
+        print("\n".join(sentence for sentence, _ in wrong if isinstance(sentence, str)))
     elif not wrong and UNKNOWN not in found.values():
         text = args.page.read_text()
         made = page_with(text, table(found))

@@ -71,11 +71,11 @@ def hashes(program, name, scratch, threads=1, instruction_set=None):
     return found
 
 
-def differences(program, names, scratch):
+def differences(program, names, scratch, in_turn):
     with KEPT.open() as f:
         kept = {row["case"]: [row["rcs_csv"], row["channels_csv"]] for row in csv.DictReader(line for line in f if line[0] != "#")}
-    for name in names:
-        for threads, instruction_set in THREADS_AND_SETS:
+    for i, name in enumerate(names):
+        for threads, instruction_set in [THREADS_AND_SETS[i % len(THREADS_AND_SETS)]] if in_turn else THREADS_AND_SETS:
             if hashes(program, name, scratch, threads, instruction_set) != kept.get(name):
                 yield f"{name}: other bytes with {threads} threads, {instruction_set or 'the widest instruction set'}"
 
@@ -87,9 +87,9 @@ def unsteady_functions(program):
     return UNSTEADY & set(re.findall(r" U (\w+)", symbols))
 
 
-def check(program, names, scratch):
+def check(program, names, scratch, in_turn):
     system = f"{platform.freedesktop_os_release().get('PRETTY_NAME')}, {' '.join(platform.libc_ver())}"
-    faults = [*differences(program, names, scratch),
+    faults = [*differences(program, names, scratch, in_turn),
               *(f"{name}() is called: take that of src/math/special/elementary.h" for name in sorted(unsteady_functions(program)))]
     for fault in faults:
         print(f"systems.py: {fault}")
@@ -108,6 +108,7 @@ def main():
     parser.add_argument("what", choices=["check", "renew"])
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("names", nargs="*", metavar="NAME")
+    parser.add_argument("--in-turn", action="store_true", help="each case with one number of threads and instruction set, the next case with others")
     asked = parser.parse_args()
     for name in asked.names:
         if name not in CASES:
@@ -116,7 +117,7 @@ def main():
         program, scratch = asked.program.resolve(), pathlib.Path(folder)
         if not program.is_file():
             refuse(f"{program}: no such program; build it first")
-        sys.exit(renew(program, scratch) if asked.what == "renew" else check(program, asked.names or list(CASES), scratch))
+        sys.exit(renew(program, scratch) if asked.what == "renew" else check(program, asked.names or list(CASES), scratch, asked.in_turn))
 
 
 if __name__ == "__main__":

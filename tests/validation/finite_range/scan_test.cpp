@@ -77,11 +77,11 @@ void expect_in_place(const std::vector<dvec3>& spheres, const std::vector<dvec3>
 }
 
 TEST(Scan, ThreeSpheresBesideARailAreInTheirPlaces) {
-  expect_in_place({{0.0, 0.0, 0.0}, {0.11, 0.21, 0.0}, {-0.13, -0.17, 0.0}}, places_of(41, 1, 1.0, 0.0, 2.0), 33);
+  expect_in_place({{0.0, 0.0, 0.0}, {0.11, 0.21, 0.0}, {-0.13, -0.17, 0.0}}, places_of(21, 1, 0.7, 0.0, 2.0), 17);
 }
 
 TEST(Scan, ThreeSpheresBeforeAPlaneAreInTheirPlaces) {
-  expect_in_place({{0.0, 0.0, 0.0}, {0.11, 0.21, 0.1}, {-0.13, -0.17, -0.14}}, places_of(13, 13, 0.5, 0.5, 2.0), 11);
+  expect_in_place({{0.0, 0.0, 0.0}, {0.11, 0.21, 0.1}, {-0.13, -0.17, -0.14}}, places_of(11, 11, 0.42, 0.42, 2.0), 9);
 }
 
 TEST(Scan, OnlyEvenLinesAreOne) {
