@@ -1,7 +1,7 @@
 """Radar cross-sections of triangle meshes: deterministic shooting and bouncing rays with edges, complex and polarimetric.
 
-A target is built once and solved as often as you like; every keyword is a key of a case file, and every sentence about a wrong one
-is that of the program.
+A target is built once and solved as often as you like; every keyword is a key of a case file, and a wrong one is refused with the
+program's own sentence.
 
 >>> import raytube as rt
 >>> plate = rt.Target([[0, 0, 0], [.3, 0, 0], [.3, .3, 0], [0, .3, 0]], [[0, 1, 2, 3]], unit="m")
@@ -11,13 +11,13 @@ is that of the program.
 >>> round(float(result.sigma_dbsm.sel(channel="vv").max()), 1)
 20.5
 
-Conventions: time factor exp(+j omega t); theta from +z and phi from +x point from the target towards the radar [deg]; V is
-theta-hat and H is phi-hat of each one's own direction; ``vh`` is receive V, transmit H; ``sigma = 4 pi |S|^2``; the phase reference is the
-origin of the mesh's coordinates.
+Conventions: time factor exp(+j omega t); theta from +z and phi from +x point from the target towards the radar [deg]; V is theta-hat and H
+is phi-hat of the transmitter's and of the receiver's own direction; ``vh`` is receive V, transmit H; ``sigma = 4 pi |S|^2``; the phase
+reference is the origin of the mesh's coordinates.
 
-Target, monostatic, bistatic, looks, solve: what is asked. Result, load: what comes out. run, check, converge, image, trace: what the
-program of the same name does, for a case file or for a target. compare: two results of any source; statistics: how sigma is distributed
-in one. centres: where on the target a look returns from. read_radar_explorer: results of the Radar Explorer Toolkit.
+Target, monostatic, bistatic, looks, solve: pose a problem and solve it. Result, load: its result. run, check, converge, image, trace: as the
+commands of the program, for a case file or a target. compare: two results from any source; statistics: how sigma is distributed in one.
+centres: where on the target the return of a look comes from. read_radar_explorer: results from the Radar Explorer Toolkit.
 """
 
 from raytube import _processor as _processor  # first: refuses processors that the rest cannot run on
@@ -32,5 +32,5 @@ from raytube._target import Target
 
 __all__ = ["CheckReport", "Comparison", "Convergence", "InputError", "Looks", "RaytubeWarning", "Result", "Statistics", "Target", "bistatic", "check",
            "centres", "compare", "converge", "image", "load", "looks", "monostatic", "read_radar_explorer", "run", "solve", "statistics", "trace", "__version__"]
-InputError.__doc__ = """Bad input: one sentence that says what is wrong, where, and what to do. A ValueError."""
+InputError.__doc__ = """Bad input: one sentence that says what is wrong, where, and how to fix it. A ValueError."""
 InputError.__module__ = "raytube"

@@ -15,7 +15,7 @@ _BAD_INPUT, _MACHINE, _INTERRUPTED = 2, 3, 130
 
 
 def main(arguments: list[str]) -> int:
-    """Runs a command and returns its exit code; what is wrong is one sentence on stderr.
+    """Runs a command and returns its exit code; an error is one sentence on stderr.
 
     Parameters
     ----------

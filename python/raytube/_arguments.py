@@ -1,4 +1,4 @@
-"""What callers give, as the core takes it; one sentence where it is something else."""
+"""Arguments of callers in the form that the core takes; one sentence for any other."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ CHANNELS = ("vv", "vh", "hv", "hh")
 
 
 def kind_of(value: Any) -> str:
-    """The type of a value, for sentences."""
+    """The type of a value, for messages."""
     return "None" if value is None else type(value).__name__
 
 
@@ -86,7 +86,7 @@ def table(value: Any, name: str) -> dict[Any, Any]:
 
 
 def channels(value: Any, name: str) -> tuple[str, ...]:
-    """Names of channels in small letters; a single one will do."""
+    """Names of channels in lower case; a single one may stand alone."""
     chosen = (value,) if isinstance(value, str) else tuple(value) if isinstance(value, (tuple, list)) else ()
     lower = tuple(str(channel).lower() for channel in chosen)
     if not lower or any(channel not in CHANNELS for channel in lower):

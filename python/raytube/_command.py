@@ -14,11 +14,6 @@ from typing import NoReturn
 from raytube._core import InputError
 
 
-def _value_of(action: argparse.Action) -> str:
-    """What stands for an option's value in the help: the choices, or its name."""
-    return "" if action.nargs == 0 else str(action.metavar or ("|".join(action.choices) if action.choices else action.dest.upper()))
-
-
 class Parser(argparse.ArgumentParser):
     """A command line that complains as the program does: one sentence, the nearest known name, and where help is.
 
@@ -36,26 +31,29 @@ class Parser(argparse.ArgumentParser):
 
     def format_help(self) -> str:
         """Laid out as the program's own: names in a column of 34 characters, sentences beside them."""
-        named = {action: " ".join([",".join(action.option_strings), _value_of(action)]).strip() for action in self._actions}
-        positionals = [action for action in self._actions if not action.option_strings]
-        lines = [self.description or "", f"Usage: {self.prog} [OPTIONS] {' '.join(map(named.__getitem__, positionals))}"]
-        for heading, chosen in (("Positionals", positionals), ("Options", [action for action in self._actions if action.option_strings])):
-            lines += ["", f"{heading}:", *(f"  {named[action]:<31} {action.help}" if len(named[action]) < 32 else f"  {named[action]}\n{'':34}{action.help}" for action in chosen)]
+        parts: dict[str, list[str]] = {"Positionals": [], "Options": []}
+        names = []
+        for action in self._actions:
+            value = "" if action.nargs == 0 else str(action.metavar or ("|".join(action.choices) if action.choices else action.dest.upper()))
+            name = " ".join([",".join(action.option_strings), value]).strip()
+            names += [] if action.option_strings else [name]
+            line = f"  {name:<31} {action.help}" if len(name) < 32 else f"  {name}\n{'':34}{action.help}"
+            parts["Options" if action.option_strings else "Positionals"].append(line)
+        lines = [self.description or "", f"Usage: {self.prog} [OPTIONS] {' '.join(names)}"]
+        for heading, entries in parts.items():
+            lines += ["", f"{heading}:", *entries]
         return "\n".join([*lines, "", (self.epilog or "").rstrip(), ""])
 
     def parse_known_args(self, args=None, namespace=None):  # type: ignore[no-untyped-def]
         found, unknown = super().parse_known_args(args, namespace)
         if unknown:
-            self.error(f"unknown option or argument {unknown[0]}{self._nearest(unknown[0])}")
+            options = [name for action in self._actions for name in action.option_strings]
+            near = difflib.get_close_matches(unknown[0].split("=")[0], options, 1)
+            self.error(f"unknown option or argument {unknown[0]}" + (f"; did you mean {near[0]}?" if near else ""))
         return found, unknown
 
     def error(self, message: str) -> NoReturn:
         raise InputError(f"{message}; see {self.prog} --help")
-
-    def _nearest(self, word: str) -> str:
-        options = [name for action in self._actions for name in action.option_strings]
-        near = difflib.get_close_matches(word.split("=")[0], options, 1)
-        return f"; did you mean {near[0]}?" if near else ""
 
 
 @contextmanager

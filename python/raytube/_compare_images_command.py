@@ -11,7 +11,7 @@ import numpy as np
 from raytube._command import Parser, new_files
 from raytube._core import InputError
 from raytube._image_comparison import CSV_COLUMNS, ImageComparison, are_images, read_image
-from raytube._tables import dbsm, json_number, require_free, write_table
+from raytube._tables import dbsm, json_numbers, require_free, write_table
 
 _FILES = ("compare.csv", "compare.png")
 _SHOWN_DB = 40.0
@@ -52,7 +52,7 @@ def main(arguments: list[str]) -> int:
         require_free(asked.output, _FILES, [asked.result, asked.reference])
     files = (asked.result, asked.result_columns), (asked.reference, asked.reference_columns)
     if not are_images(*files):
-        raise InputError(f"{asked.result} and {asked.reference} are no images; give files with a row or cell for each pixel")
+        raise InputError(f"{asked.result} and {asked.reference} are not images; give files with a row or cell for each pixel")
     images = read_image(*files[0], "--result-columns"), read_image(*files[1], "--reference-columns")
     found = ImageComparison(*images, asked.within_db, asked.free_scale, not asked.no_register)
     failure = _failure(found, asked.tolerance_db, asked.tolerance_relative)
@@ -63,8 +63,8 @@ def main(arguments: list[str]) -> int:
             _draw(found, folder / _FILES[1])
     if asked.json:
         document = {"result": asked.result, "reference": asked.reference, "shift": found.shift, "pixels": found.rows,
-                    "relative_error": json_number(found.relative_error),
-                    "channels": {name: {key: json_number(value) for key, value in measures.items()} for name, measures in found.channels.items()}}
+                    **json_numbers({"relative_error": found.relative_error}),
+                    "channels": {name: json_numbers(measures) for name, measures in found.channels.items()}}
         sys.stdout.write(json.dumps({**document, "pass": not failure} if judged else document, indent=2) + "\n")
         return int(bool(failure))
     sys.stdout.write(found.text + (f"results in {asked.output}: {', '.join(_FILES)}\n" if asked.output else ""))

@@ -1,4 +1,4 @@
-"""Two results or images beside each other."""
+"""Two results or images compared."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ class Comparison:
     Attributes
     ----------
     channels : dict of str to dict
-        Measures of each channel that both results have and in which there is a signal: ``rms_db``, ``mean_abs_db``,
+        Measures for each channel that both results have and that has a signal: ``rms_db``, ``mean_abs_db``,
         ``median_abs_db``, ``p95_abs_db``, ``largest_abs_db``, ``bias_db`` over the rows within `within_db` of the reference's peak;
         ``relative_error`` (complex), ``austin_db``, ``correlation`` over all rows.
     relative_error : float
-        ``||S - S_ref|| / ||S_ref||`` over all rows and channels; infinite where one of them lacks rows, channels or phase.
+        ``||S - S_ref|| / ||S_ref||`` over all rows and channels; infinite if either lacks rows, channels or phase.
     rows : int
-        Rows that both have; of images pixels.
+        Rows that both have; for images, pixels.
     shift : tuple of float or None
-        Of images: how far the result lies along columns and rows [pixels of the reference], which was taken back. Their `channels` have
-        ``ssim``, ``correlation`` (of magnitudes), ``magnitude_error`` and ``power_ratio_db``, too, and no ``austin_db``.
+        For images, the shift of the result along columns and rows that was removed [pixels of the reference]. Their `channels` also have
+        ``ssim``, ``correlation`` (of magnitudes), ``magnitude_error`` and ``power_ratio_db``, but no ``austin_db``.
     """
 
     def __init__(self, core: _core.Comparison | ImageComparison) -> None:
@@ -45,7 +45,7 @@ class Comparison:
         Parameters
         ----------
         tolerance_db : float
-            Of `channels` ``rms_db`` [dB].
+            Largest ``rms_db`` allowed in any of `channels` [dB].
         """
         return self._core.above_tolerance(_arguments.number(tolerance_db, "tolerance_db")) == ""
 
@@ -56,7 +56,7 @@ class Comparison:
 def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[str, Any] | None = None,
             free_scale: bool = False, result_columns: str | Mapping[str, str] = "", reference_columns: str | Mapping[str, str] = "",
             register: bool = True) -> Comparison:
-    """Compares two results of any source in the rows that have equal frequency and angles, or two images, registered.
+    """Compares two results from any source in the rows with equal frequency and angles, or two registered images.
 
     Parameters
     ----------
@@ -65,16 +65,16 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
         the ``.json`` of the Radar Explorer Toolkit. Images are files: ``image.csv``, what ``raytube isar`` writes, a table with a row
         for each pixel, OpenEXR.
     within_db : float
-        Measures in dB are over the rows whose reference is so near to its channel's peak.
+        Measures in dB cover the rows whose reference lies within this of its channel's peak.
     only : dict, optional
-        Rows that count: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
+        Compare only these rows: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
     free_scale : bool
         Fit one complex factor first.
     result_columns, reference_columns : str or dict of str to str
-        Columns of a table that have other names or units: ``{"phi_deg": "bearing*-1", "sigma_vv_dbsm": '"RCS [dBsm]"'}``, or that as one text
-        as ``raytube compare --reference-columns`` takes it.
+        Columns of a table that have other names or units: ``{"phi_deg": "bearing*-1", "sigma_vv_dbsm": '"RCS [dBsm]"'}``, or one string in the
+        form that ``raytube compare --reference-columns`` takes.
     register : bool
-        Of images: first shift one onto the other.
+        For images: first shift one onto the other.
 
     Returns
     -------
@@ -84,30 +84,23 @@ def compare(result: Any, reference: Any, within_db: float = 20.0, only: Mapping[
     Raises
     ------
     InputError
-        If a file cannot be read, or if nothing is in common.
+        If a file cannot be read, or if the two have nothing in common.
     """
     ranges = {column: (low, high) for column, low, high in ranges_of(only)}
     within = _arguments.number(within_db, "within_db")
     if within < 0.0:
         raise InputError(f"within_db: give 0 or more decibels (found {within:g})")
     scale, registered = _arguments.flag(free_scale, "free_scale"), _arguments.flag(register, "register")
-    files = [_image_file(source, name, columns) for source, name, columns in
-             ((result, "result", result_columns), (reference, "reference", reference_columns))]
-    if files[0] and files[1] and are_images(files[0], files[1]):
-        if ranges:
-            raise InputError("only: images have no rows of looks; leave it out")
-        images = read_image(*files[0], "result_columns"), read_image(*files[1], "reference_columns")
-        return Comparison(ImageComparison(*images, within, scale, registered))
-    tables = (table_of(result, "result", result_columns, "result_columns")[0],
-              table_of(reference, "reference", reference_columns, "reference_columns")[0])
-    return Comparison(_core.compare(*tables, ranges, within, scale))
-
-
-def _image_file(source: Any, name: str, columns: Any) -> tuple[str, str] | None:
-    """A file that may be an image, and its map of columns; None for a result that is at hand, or becomes one."""
-    if isinstance(source, Result) or str(source).lower().endswith(".json"):
-        return None
-    return _file(source, name), _columns(columns, f"{name}_columns")
+    both = (result, "result", result_columns), (reference, "reference", reference_columns)
+    if not any(isinstance(source, Result) or str(source).lower().endswith(".json") for source, _, _ in both):  # which are no images
+        files = [(_file(source, name), _columns(columns, f"{name}_columns")) for source, name, columns in both]
+        if are_images(files[0], files[1]):
+            if ranges:
+                raise InputError("only: images have no rows of looks; leave it out")
+            images = read_image(*files[0], "result_columns"), read_image(*files[1], "reference_columns")
+            return Comparison(ImageComparison(*images, within, scale, registered))
+    tables = [table_of(source, name, columns, f"{name}_columns")[0] for source, name, columns in both]
+    return Comparison(_core.compare(tables[0], tables[1], ranges, within, scale))
 
 
 def table_of(source: Any, name: str, columns: Any, option: str) -> tuple[_core.Table, str]:
@@ -120,7 +113,7 @@ def table_of(source: Any, name: str, columns: Any, option: str) -> tuple[_core.T
     if stored is None:
         return _core.Table.of_file(file, chosen, option), file
     if chosen:
-        raise InputError(f"{option}: {file} is no table, whose columns could have other names; leave them out")
+        raise InputError(f"{option}: {file} is not a table, so its columns have no other names; leave them out")
     return _core.Table.of_stored(stored._stored, file), file
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +16,11 @@ from matplotlib.figure import Figure
 from raytube import _plots
 from raytube._core import InputError
 from raytube._plots import CURVE_DEPTH, MAP_DEPTH, TITLES, Style, scale_of
-from raytube._rows import FREQUENCY, LABELS, LOOK, Cut, Floats, Grid, Rows, channels_of, choice_with, cuts_of, grid_of, name_apart
-from raytube._tables import run_of
+from raytube._rows import FREQUENCY, LABELS, LOOK, Cut, Grid, Rows, channels_of, choice_with, cuts_of, grid_of, name_apart
+from raytube._tables import Floats, run_of
 
 MOST_PANELS, _MOST_RESULTS = 4, 8
-CROSS_POLAR = 20.0  # a map of a channel that stays so far below the peak shows nothing [dB]
+_CROSS_POLAR = 20.0  # a map of a channel that stays this far below the peak shows nothing [dB]
 
 
 @dataclass
@@ -49,8 +50,14 @@ class Options:
 Pictures = dict[str, Callable[[], Figure]]
 
 
+def twice(name: str, draw: Callable[[], Figure]) -> Pictures:
+    """A picture in dots and in lines, drawn once."""
+    once = cache(draw)
+    return {f"{name}.png": once, f"{name}.svg": once}
+
+
 def canvas(width: float, height: float, options: Options) -> Figure:
-    """An empty picture of so many inches, or of the size asked for, with text that grows along with it."""
+    """An empty picture of this size in inches, or of the size asked for, with text scaled to it."""
     usual = width * height
     if options.size:
         width, height = ((pixels + 0.01) / 100.0 for pixels in options.size)  # of a fraction matplotlib keeps what is whole
@@ -78,11 +85,11 @@ def figure_of_results(results: list[Rows], options: Options) -> Figure:
     channels = channels_of(results, options.channels)
     title = options.title or (results[0].title or results[0].file if len(results) == 1 else ", ".join(rows.name for rows in results))
     first, kind = results[0], options.kind
+    if kind in ("map", "sphere") and len(results) > 1:
+        raise InputError(f"--kind {kind}: {len(results)} results; a map shows one, give one file")
     peak = first.peak_row(channels) if np.isfinite(first.peak(channels)) else 0
     if kind == "polar":
         return _polar(results, peak, channels, title, options)
-    if kind in ("map", "sphere") and len(results) > 1:
-        raise InputError(f"--kind {kind}: {len(results)} results; a map shows one, give one file")
     grid = grid_of(first, peak, 1 if kind in ("map", "sphere") else MOST_PANELS) if len(results) == 1 and kind != "curves" else None
     if kind == "sphere" and not (grid and grid.covers_sphere()):
         raise InputError(f"--kind sphere: {first.file} does not hold azimuths all round with polar angles; use --kind map or curves")
@@ -109,9 +116,11 @@ def panels_of_cuts(results: list[Rows], peak: int, most: int) -> tuple[int, int,
     return key, len(cuts), [(cut.fixed, [known[cut.fixed] for known in by_text]) for cut in choice_with(shared, through, most)]
 
 
-def _names(results: list[Rows], cuts: list[Cut]) -> list[str]:
+def _draw_cuts(ax: Any, results: list[Rows], cuts: list[Cut], key: int, channels: list[int], scale: _plots.Scale, style: Style) -> None:
     differ = len({cut.fixed for cut in cuts}) > 1
-    return ["" if len(results) == 1 else f"{rows.name}, {cut.fixed}" if differ else rows.name for rows, cut in zip(results, cuts)]
+    for i, (rows, cut) in enumerate(zip(results, cuts)):
+        name = "" if len(results) == 1 else f"{rows.name}, {cut.fixed}" if differ else rows.name
+        _plots.draw_cut(ax, rows, cut, key, channels, scale, style, (i, len(results)), name)
 
 
 def _levels(results: list[Rows], cuts: list[Cut], channels: list[int]) -> Floats:
@@ -126,11 +135,10 @@ def _curves(results: list[Rows], peak: int, channels: list[int], title: str, opt
     figure = canvas(9.0 if columns == 1 else 12.0, 4.8 if lines == 1 else 7.6, options)
     for i, (fixed, cuts) in enumerate(panels):
         ax = figure.add_subplot(lines, columns, i + 1)
-        for r, (rows, cut, name) in enumerate(zip(results, cuts, _names(results, cuts))):
-            _plots.draw_cut(ax, rows, cut, key, channels, scale, options.style, (r, len(results)), name)
-        spans = [cut.x for cut in cuts]
-        if max(x[-1] for x in spans) > min(x[0] for x in spans):
-            ax.set_xlim(min(x[0] for x in spans), max(x[-1] for x in spans))
+        _draw_cuts(ax, results, cuts, key, channels, scale, options.style)
+        first, last = min(cut.x[0] for cut in cuts), max(cut.x[-1] for cut in cuts)
+        if last > first:
+            ax.set_xlim(first, last)
         _plots.angle_ticks(ax.xaxis, key)
         if i == columns - 1 or len(panels) == 1:
             _plots.add_key(ax)
@@ -149,17 +157,24 @@ def _polar(results: list[Rows], peak: int, channels: list[int], title: str, opti
     scale = _plots.polar_scale(_levels(results, cuts, channels), options.style)
     figure = canvas(9.2, 6.6, options)
     ax = figure.add_subplot(projection="polar")
-    for r, (rows, cut, name) in enumerate(zip(results, cuts, _names(results, cuts))):
-        _plots.draw_cut(ax, rows, cut, key, channels, scale, options.style, (r, len(results)), name)
+    _draw_cuts(ax, results, cuts, key, channels, scale, options.style)
     _plots.dress_polar(ax, scale, key)
     ax.set_title(f"{title}\n{fixed}{'; ' if fixed else ''}{scale.label} over {LABELS[key]}")
     _plots.add_key(ax)
     return figure
 
 
+def map_panels(draw: Callable[..., Any], levels: Floats, channels: list[int], heading: str, options: Options, size: tuple[float, float],
+               projection: str | None = None) -> Figure:
+    """Levels [dBsm] of channels, their last axis, as colours: `draw` takes axes, levels and keywords of a mesh."""
+    scale = scale_of(levels[..., channels], options.style, MAP_DEPTH, exact=True)
+    panels = [(TITLES[c], partial(draw, levels=scale.of(levels[..., c]), **scale.mesh)) for c in channels]
+    return heat_panels(panels, scale.label, heading, options, size, projection)
+
+
 def heat_panels(panels: Sequence[tuple[str, Callable[[Any], Any]]], label: str, heading: str, options: Options, size: tuple[float, float],
                 projection: str | None = None, ticks: Any = None) -> Figure:
-    """Panels of colours, each drawn by a callable that returns its mesh, with one colour bar; `size` of one in inches."""
+    """Panels of colours, each drawn by a callable that returns its mesh, with one colour bar; `size` of each in inches."""
     columns = min(len(panels), 2)
     lines = -(-len(panels) // columns)
     figure = canvas(size[0] * columns + 1.5, (size[1] + 0.5) * lines + 1.0, options)
@@ -172,19 +187,17 @@ def heat_panels(panels: Sequence[tuple[str, Callable[[Any], Any]]], label: str, 
     return figure
 
 
+def mapped_channels(rows: Rows, channels: list[int], options: Options) -> list[int]:
+    """Those asked for; else co-polar ones, and cross-polar ones near the peak."""
+    highest = rows.peak(channels)
+    return channels if options.channels else [c for c in channels if c in (0, 3) or rows.peak([c]) >= highest - _CROSS_POLAR]
+
+
 def _map(rows: Rows, grid: Grid, peak: int, channels: list[int], title: str, options: Options) -> Figure:
-    highest, sphere = rows.peak(channels), options.kind == "sphere" or grid.covers_sphere()
-    if not options.channels:
-        channels = [c for c in channels if c in (0, 3) or rows.peak([c]) >= highest - CROSS_POLAR]
+    channels, sphere = mapped_channels(rows, channels, options), options.kind == "sphere" or grid.covers_sphere()
     strongest = channels[int(np.argmax(rows.sigma[peak, channels]))]
-    scale = scale_of(np.concatenate([grid.over(rows.sigma[:, c]).ravel() for c in channels]), options.style, MAP_DEPTH, exact=True)
     part = "" if grid.whole else f"rows at {grid.fixed}, through the peak; "
     heading = f"{title}\n{part}peak {rows.sigma[peak, strongest]:.1f} dBsm, {TITLES[strongest]}, at {rows.fixed(peak)}"
-    panels = [(TITLES[c], _grid_drawer(grid, scale.of(grid.over(rows.sigma[:, c])), (scale.bottom, scale.top), options.style.colour_map))
-              for c in channels]
     wide = 7.5 if len(channels) == 1 else 5.4
-    return heat_panels(panels, scale.label, heading, options, (wide, wide / (2.0 if sphere else 1.6)), "hammer" if sphere else None)
-
-
-def _grid_drawer(grid: Grid, levels: Floats, limits: tuple[float, float], colours: str) -> Callable[[Any], Any]:
-    return lambda ax: _plots.draw_grid(ax, grid, levels, limits, colours)
+    return map_panels(partial(_plots.draw_grid, grid=grid), grid.over(rows.sigma), channels, heading, options,
+                      (wide, wide / (2.0 if sphere else 1.6)), "hammer" if sphere else None)

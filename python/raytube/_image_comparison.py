@@ -7,6 +7,7 @@ import re
 import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,11 +16,8 @@ from numpy.typing import NDArray
 from raytube import _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._tables import dbsm
+from raytube._tables import cell_text, dbsm
 
-CSV_COLUMNS = ("channel", "result_peak_dbsm", "reference_peak_dbsm", "shift_columns", "shift_rows", "pixels", "pixels_within", "rms_db",
-               "mean_abs_db", "median_abs_db", "p95_abs_db", "largest_abs_db", "bias_db", "at_peak_db", "ssim", "correlation",
-               "magnitude_error", "relative_error", "power_ratio_db", "largest_column", "largest_row")
 _PLACES = (("u_m", "v_m"), ("cross_range_m", "range_m"), ("col", "row"), ("x", "y"))
 _LOOKS = {"freq_hz", "freq_ghz", "theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"}
 _MOST_PIXELS = 4_000_000
@@ -31,6 +29,8 @@ _LINES = {"result_peak_dbsm": "peak of the result, dBsm", "reference_peak_dbsm":
           "ssim": "SSIM (Wang et al. 2004) of {within:g} dB below that peak", "#all": "over all {pixels} pixels",
           "correlation": "correlation of magnitudes", "magnitude_error": "relative rms error of magnitudes",
           "relative_error": "relative rms error of complex pixels", "power_ratio_db": "power, result over reference, dB"}
+_MEASURES = [name for name in _LINES if not name.startswith("#")]
+CSV_COLUMNS = ("channel", *_MEASURES[:2], "shift_columns", "shift_rows", "pixels", *_MEASURES[2:], "largest_column", "largest_row")
 Values = NDArray[Any]
 Axis = tuple[float, float, int]  # middle of the first pixel, step, pixels
 
@@ -59,9 +59,11 @@ def are_images(result: tuple[str, str], reference: tuple[str, str]) -> bool:
 def read_image(file: str, columns: str, option: str) -> Image:
     """Throws InputError for what is no image of a rectangle."""
     ending = os.path.splitext(file)[1].lower()
-    if ending == ".nc" and columns:
+    if ending != ".nc":
+        return (_read_openexr if ending == ".exr" else _read_pixels)(file, columns, option)
+    if columns:
         raise InputError(f"{option}: {file} has variables, no columns; leave the option out")
-    return _read_isar(file) if ending == ".nc" else _read_openexr(file, columns, option) if ending == ".exr" else _read_pixels(file, columns, option)
+    return _read_isar(file)
 
 
 def _choices(columns: str) -> dict[str, str]:
@@ -187,8 +189,7 @@ def _sampled(S: Values, rows: Values, columns: Values) -> Values:
     turned = S * np.exp(-1j * (advance[0] * np.arange(S.shape[0])[:, None] + advance[1] * np.arange(S.shape[1])))
     phase = np.angle(ndimage.map_coordinates(turned, places, mode="nearest")) + advance[0] * places[0] + advance[1] * places[1]
     magnitude = ndimage.map_coordinates(np.abs(S), places, mode="nearest")
-    sampled: Values = np.maximum(magnitude, 0.0) * np.exp(1j * phase)  # cubics overshoot
-    return sampled
+    return np.asarray(np.maximum(magnitude, 0.0) * np.exp(1j * phase))  # cubics overshoot
 
 
 def best_shift(result: Values, reference: Values) -> tuple[float, float]:
@@ -225,10 +226,7 @@ def similarity(a: Values, b: Values, within_db: float) -> float:
     of 11 x 11 pixels, 1.5 wide, in means over pixels within the image: the mean over pixels where one is above the floor."""
     from scipy.ndimage import gaussian_filter
 
-    def smooth(values: Values) -> Values:
-        smoothed: Values = gaussian_filter(values, 1.5, truncate=3.4, mode="constant")
-        return smoothed
-
+    smooth = partial(gaussian_filter, sigma=1.5, truncate=3.4, mode="constant")
     whole = smooth(np.ones_like(a))
     mean_a, mean_b, squares, product = (smooth(values) / whole for values in (a, b, a * a + b * b, a * b))
     c1, c2 = (0.01 * within_db) ** 2, (0.03 * within_db) ** 2
@@ -277,7 +275,7 @@ class ImageComparison:
 
     def _scale(self) -> complex:
         """The factor of the result that brings it nearest to the reference, by least squares."""
-        a, b = (np.concatenate([pair[i].ravel() for pair in self.pairs.values()]) for i in (0, 1))
+        a, b = (np.stack([pair[i] for pair in self.pairs.values()]) for i in (0, 1))
         if not all(map(self.has_phase, self.compared)):
             a, b = np.abs(a), np.abs(b)
         square = float(np.vdot(a, a).real)
@@ -321,9 +319,9 @@ class ImageComparison:
         """Over all channels; infinite where one of the images lacks channels or phase."""
         if self.images[0].S.keys() != self.images[1].S.keys() or not all(map(self.has_phase, self.compared)):
             return np.inf
-        largest = max(np.abs(b).max() for _, b in self.pairs.values())
-        difference = sum(np.sum(np.abs((a - b) / largest) ** 2) for a, b in self.pairs.values())
-        return float(np.sqrt(difference / sum(np.sum(np.abs(b / largest) ** 2) for _, b in self.pairs.values())))
+        a, b = (np.stack([pair[i] for pair in self.pairs.values()]) for i in (0, 1))
+        largest = np.abs(b).max()
+        return float(np.linalg.norm((a - b) / largest) / np.linalg.norm(b / largest))
 
     def above_tolerance(self, tolerance_db: float) -> str:
         """Channels whose rms error exceeds the tolerance; a channel that the reference lacks exceeds any."""
@@ -340,7 +338,8 @@ class ImageComparison:
         lines.append(f"{'registered':<12}{lies if self.registered else 'no (--no-register)'}")
         lines += [*([self.scale_text] if self.factor is not None else []), "", f"  {'':<48}" + "".join(f"{name:>12}" for name in self.channels)]
         for measure, title in _LINES.items():
-            cells = (f"{_cell(measures[measure]):>12}" for measures in self.channels.values()) if not measure.startswith("#") else ()
+            values = [measures[measure] for measures in self.channels.values()] if not measure.startswith("#") else []
+            cells = [f"{cell_text(value, 'd' if isinstance(value, int) else '.4g'):>12}" for value in values]
             title = title.format(within=self.within_db, pixels=self.rows)
             lines.append(f"  {title:<48}{''.join(cells)}" if cells else title)
         for name in CHANNELS:
@@ -372,7 +371,3 @@ class ImageComparison:
         factor = self.factor or 1.0
         phase = f", {np.degrees(np.angle(factor)):+.4g} degrees" if all(map(self.has_phase, self.compared)) else ""
         return f"{'scaled':<12}the result by {20.0 * np.log10(abs(factor)):+.4g} dB{phase}, fitted (--free-scale)"
-
-
-def _cell(value: float) -> str:
-    return str(value) if isinstance(value, int) else "-" if np.isnan(value) else f"{value:.4g}"

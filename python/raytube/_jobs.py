@@ -1,18 +1,17 @@
-"""What can be asked of a target, or of a case file."""
+"""What the package does with a target, or with a case file: solve, check, converge, image, trace, centres."""
 
 from __future__ import annotations
 
 import difflib
 import os
 import warnings
-from collections.abc import Callable, Mapping
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, overload
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from typing import TYPE_CHECKING, Any, Protocol, overload
 
 import numpy as np
-from numpy.typing import NDArray
 
-from raytube import _arguments, _core, _ranks
+from raytube import _arguments, _core
 from raytube._core import InputError
 from raytube._looks import Looks, monostatic
 from raytube._result import RaytubeWarning, Result
@@ -22,31 +21,37 @@ from raytube._target import Target
 if TYPE_CHECKING:
     import xarray as xr
 
+    from raytube._products import Outline
+
 _Progress = bool | Callable[[float], Any]
+_Section = Mapping[str, Any] | None  # of a case file
+
+
+class Communicator(Protocol):
+    """An intracommunicator of mpi4py."""
+
+    def py2f(self) -> int:
+        """Its handle in Fortran."""
 
 
 @overload
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
-          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
-          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
-          ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
-          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
+          facets: _Section = ..., materials: _Section = ..., tubes: _Section = ..., edges: _Section = ..., surfaces: _Section = ...,
+          radar: _Section = ..., ground: _Section = ..., accuracy: _Section = ..., title: str | None = ..., keep_mechanisms: bool = ...,
+          threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
 
 
 @overload
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
-          facets: Mapping[str, Any] | None = ..., materials: Mapping[str, Any] | None = ..., tubes: Mapping[str, Any] | None = ...,
-          edges: Mapping[str, Any] | None = ..., surfaces: Mapping[str, Any] | None = ..., radar: Mapping[str, Any] | None = ...,
-          ground: Mapping[str, Any] | None = ..., accuracy: Mapping[str, Any] | None = ..., title: str | None = ...,
-          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
+          facets: _Section = ..., materials: _Section = ..., tubes: _Section = ..., edges: _Section = ..., surfaces: _Section = ...,
+          radar: _Section = ..., ground: _Section = ..., accuracy: _Section = ..., title: str | None = ..., keep_mechanisms: bool = ...,
+          threads: int = ..., progress: _Progress = ..., comm: Communicator) -> Result | None: ...
 
 
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
-          facets: Mapping[str, Any] | None = None, materials: Mapping[str, Any] | None = None, tubes: Mapping[str, Any] | None = None,
-          edges: Mapping[str, Any] | None = None, surfaces: Mapping[str, Any] | None = None, radar: Mapping[str, Any] | None = None,
-          ground: Mapping[str, Any] | None = None, accuracy: Mapping[str, Any] | None = None, title: str | None = None,
-          keep_mechanisms: bool = False, threads: int = 0, progress: _Progress = False,
-          comm: _ranks.Communicator | None = None) -> Result | None:
+          facets: _Section = None, materials: _Section = None, tubes: _Section = None, edges: _Section = None, surfaces: _Section = None,
+          radar: _Section = None, ground: _Section = None, accuracy: _Section = None, title: str | None = None, keep_mechanisms: bool = False,
+          threads: int = 0, progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -54,31 +59,31 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     Parameters
     ----------
     target : Target
-        Is made ready on the first call; later ones with the same materials and creases take what is there.
+        Prepared on the first call; later calls with the same materials and creases reuse it.
     ghz : float, sequence of float or dict
         Frequencies [GHz]; a dict is a range as in a case file: ``{"start": 9, "stop": 11, "count": 101}``.
     looks : Looks, optional
-        From `monostatic`, `bistatic` or `looks`. May be left out where `radar` has the positions of the antennas.
+        From `monostatic`, `bistatic` or `looks`. May be omitted if `radar` gives the positions of the antennas.
     material : str, optional
-        What the target is made of where nothing else is said: "pec" (default), "absorber", or a name in `materials`.
+        Material of everything that `parts` and `facets` leave out: "pec" (default), "absorber", or a name in `materials`.
     parts : dict of str to str, optional
-        Materials of parts of the mesh, by their names (``Target.parts``).
+        Materials of parts of the mesh, by the part's name (``Target.parts``).
     facets : dict, optional
         Materials of single facets, counted from 0: ``{"glass": [0, [10, 20]]}``.
     materials, tubes, edges, surfaces, radar, ground, accuracy : dict, optional
         Sections of a case file, with its keys: ``edges={"order": 2}``, ``materials={"coat": {"kind": "coated", "eps_r": [4, 0.1],
         "thickness_mm": 2}}``.
     title : str, optional
-        Of pictures and files.
+        Title for pictures and files.
     keep_mechanisms : bool
         Keep the mechanisms apart (`Result.mechanisms`).
     threads : int
         0: all cores.
     progress : bool or callable
-        True: a progress bar, where tqdm is installed. A callable is given the finished share, 0 to 1, now and then.
+        True: a progress bar, if tqdm is installed. A callable is called from time to time with the share that is done, 0 to 1.
     comm : mpi4py.MPI.Intracomm, optional
-        Processes that share the looks: all ranks of this communicator of mpi4py call with the same arguments. `threads` are then those
-        of each rank, 0: its part of its machine's cores. `progress` is of rank 0.
+        Processes that share the looks: all ranks of this mpi4py communicator call with the same arguments. `threads` then counts for
+        each rank; 0 is its part of its machine's cores. `progress` is called on rank 0.
 
     Returns
     -------
@@ -88,10 +93,10 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     Raises
     ------
     InputError
-        For a key or a value that a case file would be refused for, and for want of memory: one sentence with the remedy. Also for a
-        `comm` that is none of mpi4py, or whose MPI this raytube cannot use.
+        For a key or a value for which a case file would be refused, and if memory does not suffice: one sentence with the remedy. Also for a
+        `comm` that is not from mpi4py, or whose MPI this raytube cannot use.
     RuntimeError
-        With `comm`: for what has befallen another rank, which the sentence names. It is an InputError where it was one there.
+        With `comm`: if another rank fails, with its sentence. If it failed with an InputError, so do the others.
     KeyboardInterrupt
         At most half a second after Ctrl-C.
 
@@ -102,8 +107,8 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
 
     Notes
     -----
-    Other Python threads go on meanwhile, and may solve at the same time; with `comm` they must not, nor call MPI. There rank 0 alone
-    warns.
+    Other Python threads keep running, and may solve at the same time; with `comm` they must neither solve nor call MPI. With `comm` only
+    rank 0 warns.
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
                 "surfaces": surfaces, "radar": radar, "ground": ground, "accuracy": accuracy, "title": title}
@@ -117,11 +122,11 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ...,
 
 @overload
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = ..., *, keep_mechanisms: bool = ..., threads: int = ...,
-        progress: _Progress = ..., comm: _ranks.Communicator) -> Result | None: ...
+        progress: _Progress = ..., comm: Communicator) -> Result | None: ...
 
 
 def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None, *, keep_mechanisms: bool = False, threads: int = 0,
-        progress: _Progress = False, comm: _ranks.Communicator | None = None) -> Result | None:
+        progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
     """Computes a case file, as ``raytube run`` does, but writes nothing: see `Result.save`.
 
     Parameters
@@ -129,7 +134,7 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
     case : path
         Case file (TOML).
     overrides : dict, optional
-        Values in the place of the file's, by dotted key: ``{"tubes.max_bounces": 5, "look.phi_deg": [0, 1, 2]}``.
+        Values that replace those in the file, by dotted key: ``{"tubes.max_bounces": 5, "look.phi_deg": [0, 1, 2]}``.
     keep_mechanisms, threads, progress, comm
         As in `solve`.
 
@@ -146,8 +151,8 @@ def run(case: str | os.PathLike[str], overrides: Mapping[str, Any] | None = None
     return _solved(lambda: _job_of_file("run", case, overrides), keep_mechanisms, threads, progress, comm)
 
 
-class _Told(dict[str, Any]):
-    """Data, and what the program prints of them."""
+class _Printed(dict[str, Any]):
+    """Data, and the text that the program prints for them."""
 
     def __init__(self, text: str, data: Mapping[str, Any]) -> None:
         super().__init__(data)
@@ -157,22 +162,22 @@ class _Told(dict[str, Any]):
         return self._text
 
 
-class CheckReport(_Told):
+class CheckReport(_Printed):
     """What a solve would do: a dict of resolved case, mesh, wedges, what is skipped, warnings, memory and time. Its ``repr`` is what
     ``raytube check`` prints."""
 
 
 def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckReport:
-    """Says what a solve would do, without doing it: mesh report, wedges, what will be skipped and why, cost.
+    """Reports what a solve would do, without doing it: mesh report, wedges, what will be skipped and why, cost.
 
     Parameters
     ----------
     what : Target or path
         A target, or a case file.
     *args, **keywords
-        Of a target ``ghz``, ``looks`` and the sections as in `solve`; of a case file ``overrides`` as in `run`.
+        For a target ``ghz``, ``looks`` and the sections as in `solve`; for a case file ``overrides`` as in `run`.
     threads : int
-        Of the solve whose time is predicted; 0: all cores.
+        Number of threads for which the time of the solve is predicted; 0: all cores.
 
     Returns
     -------
@@ -181,7 +186,7 @@ def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckRepo
     Raises
     ------
     InputError
-        For whatever the solve would be refused for.
+        For input that the solve would refuse.
 
     Examples
     --------
@@ -190,7 +195,7 @@ def check(what: Any, *args: Any, threads: int = 0, **keywords: Any) -> CheckRepo
     >>> rt.check(plate, 10.0, rt.monostatic(0, 0))["looks_computed"]
     1
     """
-    text, data = _core.check(_job("check", what, args, keywords), _threads(threads))
+    text, data = _core.check(_job("check", what, args, keywords), _arguments.whole(threads, "threads"))
     return CheckReport(text, data)
 
 
@@ -230,8 +235,8 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
     if density <= 0.0:
         raise InputError(f"per_wavelength: give a positive number of cells (found {density:g})")
     job = _job("image", what, args, keywords)
-    with _Reported(progress) as report:
-        frequency, u, v, cells = _core.image(job, look, density, _threads(threads), report)
+    with _reported(progress) as report:
+        frequency, u, v, cells = _core.image(job, look, density, _arguments.whole(threads, "threads"), report)
     dims = ("v", "u", "receive", "transmit")
     coordinates = {"u": ("u", u, {"units": "m", "long_name": "u, along the rows of the launch plane"}),
                    "v": ("v", v, {"units": "m", "long_name": "v, along its columns"}), "receive": ["v", "h"], "transmit": ["v", "h"]}
@@ -242,7 +247,7 @@ def image(what: Any, *args: Any, look: int = 0, per_wavelength: float = 10.0, th
 
 def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: float | None = None, threads: int = 0,
             progress: _Progress = False, **keywords: Any) -> xr.Dataset:
-    """The scattering centres of one monostatic look: the strongest places that it returns from, without a sweep.
+    """The scattering centres of one monostatic look: the strongest places from which it returns, without a sweep.
 
     Parameters
     ----------
@@ -253,10 +258,10 @@ def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: f
     look : int
         Direction pair, counted from 0.
     count : int
-        So many at most.
+        Largest number of centres.
     resolution : float, optional
-        Side of the cube that each is resolved to [m]; by default that of the case's band, without one a sixtieth of the target; two
-        wavelengths at least.
+        Side of the cube to which each is resolved [m]; default from the case's band, for a single frequency a sixtieth of the target; at least
+        two wavelengths.
     threads, progress
         As in `solve`.
 
@@ -265,7 +270,7 @@ def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: f
     xarray.Dataset
         The strongest first. ``S`` (centre, receive, transmit) [m], complex, phase reference the origin, and ``sigma_dbsm``; ``place``
         (centre, xyz) in the mesh's coordinates [m]; ``mechanism``; ``persistence_hz``, ``persistence_azimuth_deg`` and
-        ``persistence_elevation_deg``, over which the pieces within the cube stay within 3 dB of their largest sum; ``rest`` [m], with
+        ``persistence_elevation_deg``, over which the sum of the pieces within the cube stays within 3 dB of its maximum; ``rest`` [m], with
         which the centres add up to S of the look at ``attrs["frequency_hz"]``, the middle of the list.
 
     Raises
@@ -279,8 +284,8 @@ def centres(what: Any, *args: Any, look: int = 0, count: int = 50, resolution: f
     if number < 1 or (resolution is not None and cell <= 0.0):
         raise InputError(f"centres: count and resolution must be positive (found {number}, {cell:g})")
     job = _job("centres", what, args, keywords)
-    with _Reported(progress) as report:
-        found = _core.centres(job, _arguments.whole(look, "look"), number, cell, _threads(threads), report)
+    with _reported(progress) as report:
+        found = _core.centres(job, _arguments.whole(look, "look"), number, cell, _arguments.whole(threads, "threads"), report)
     dims = ("centre", "receive", "transmit")
     variables: dict[str, Any] = {"S": (dims, found["S"], {"units": "m"}), "sigma_dbsm": (dims, dbsm(found["S"]), {"units": "dBsm"}),
                                  "place": (("centre", "xyz"), found["place"], {"units": "m"}), "mechanism": ("centre", found["mechanism"]),
@@ -321,25 +326,23 @@ def trace(what: Any, *args: Any, look: int = 0, u: float = 0.0, v: float = 0.0, 
     return _core.trace(job, _arguments.whole(look, "look"), _arguments.number(u, "u"), _arguments.number(v, "v"))
 
 
-class Convergence(_Told):
-    """A study over tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
-    ``rms_db``; ``recommended``, the coarsest one fine enough, where there is one; ``extrapolated_S``; ``warnings`` of rows that must not
+class Convergence(_Printed):
+    """A study of convergence with tube density: ``densities``, a list of dicts with ``per_wavelength``, ``S``, ``relative_change``, ``order`` and
+    ``rms_db``; ``recommended``, the coarsest density that is fine enough, if there is one; ``extrapolated_S``; ``warnings`` about rows that must not
     be used. Its ``repr`` is the table that ``raytube converge`` prints."""
 
 
 @overload
-def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...,
-             **keywords: Any) -> Convergence: ...
+def converge(what: Any, *args: Any, comm: None = ..., **keywords: Any) -> Convergence: ...
 
 
 @overload
-def converge(what: Any, *args: Any, densities: Any = ..., threads: int = ..., progress: _Progress = ..., comm: _ranks.Communicator,
-             **keywords: Any) -> Convergence | None: ...
+def converge(what: Any, *args: Any, comm: Communicator, **keywords: Any) -> Convergence | None: ...
 
 
 def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), threads: int = 0, progress: _Progress = False,
-             comm: _ranks.Communicator | None = None, **keywords: Any) -> Convergence | None:
-    """Solves with finer and finer uniform tubes: how fast it converges, and to what.
+             comm: Communicator | None = None, **keywords: Any) -> Convergence | None:
+    """Solves with finer and finer uniform tubes: how fast the result converges, and to what.
 
     Parameters
     ----------
@@ -348,7 +351,7 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     *args, **keywords
         As in `check`.
     densities : sequence of float
-        Tubes per wavelength, three or more.
+        Tubes per wavelength: three or more values.
     threads, progress, comm
         As in `solve`.
 
@@ -362,13 +365,13 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     InputError
         As `solve` does, and for fewer than three densities.
     """
-    ranks = _ranks.ranks_of(comm)
-    with _ranks.telling(ranks):
+    ranks = _ranks_of(comm)
+    with _telling(ranks):
         finer = np.atleast_1d(_arguments.numbers(densities, "densities"))
         if finer.ndim != 1 or not np.all(np.isfinite(finer) & (finer > 0.0)):
             raise InputError("densities: give three or more positive numbers of tubes per wavelength, for example (4, 8, 16)")
-        job, count = _job("converge", what, args, keywords), _threads(threads)
-        reported = _Reported(progress if _ranks.leads(ranks) else False)
+        job, count = _job("converge", what, args, keywords), _arguments.whole(threads, "threads")
+        reported = _reported(progress if ranks is None or ranks.leads else False)
     with reported as report:
         found = _core.converge(job, finer.tolist(), count, report, ranks)
     if found is None:
@@ -378,48 +381,62 @@ def converge(what: Any, *args: Any, densities: Any = (2, 4, 8, 16, 32, 64), thre
     return Convergence(text, data)
 
 
-def outline_of(target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float32]]:
+def outline_of(target: Any) -> Outline:
     """Points as wide as the target (n, 3), the ends of its edges (n, 2, 3), and its triangles (n, 3, 3) [m]."""
     return _core.outline(_job_of_target("plot", target, 1.0, monostatic(0.0, 0.0), {}))
 
 
-class _Reported:
-    """A callable for the finished share, or None; closes its progress bar."""
+def _ranks_of(comm: Any) -> _core.Ranks | None:
+    """Those of a communicator, all of which call this; None for None."""
+    if comm is None:
+        return None
+    try:
+        from mpi4py import MPI
+    except ImportError:
+        raise InputError(f"comm: give an intracommunicator of mpi4py, which cannot be imported here (found {_arguments.kind_of(comm)})") from None
+    if not isinstance(comm, MPI.Intracomm) or comm == MPI.COMM_NULL:
+        raise InputError(f"comm: give an intracommunicator of mpi4py, for example MPI.COMM_WORLD (found {_arguments.kind_of(comm)})")
+    if MPI.Query_thread() < MPI.THREAD_SERIALIZED:
+        raise InputError("comm: MPI was started for programs of one thread; leave mpi4py.rc.thread_level at \"multiple\", or set it to "
+                         "\"serialized\", before mpi4py.MPI is imported")
+    return _core.ranks_of(comm.py2f(), os.path.dirname(_core.__file__))
 
-    def __init__(self, progress: Any) -> None:
-        self._bar: Any = None
-        self._call: Callable[[float], Any] | None = progress if callable(progress) else None
-        if self._call is None and _arguments.flag(progress, "progress (or a callable)"):
-            self._show_bar()
 
-    def _show_bar(self) -> None:
+@contextmanager
+def _telling(ranks: _core.Ranks | None) -> Iterator[None]:
+    """If this rank fails before it meets the others, they raise as well instead of waiting for it."""
+    try:
+        yield
+    except BaseException as error:
+        if ranks is not None:
+            ranks.give_up(str(error) or type(error).__name__, isinstance(error, InputError), isinstance(error, Exception))
+        raise
+
+
+def _reported(progress: Any) -> AbstractContextManager[Callable[[float], Any] | None]:
+    """Gives a callable for the finished share: the user's own, or that of a progress bar where tqdm is installed; else None."""
+    if callable(progress):
+        return nullcontext(progress)
+    if _arguments.flag(progress, "progress (or a callable)"):
         try:
             from tqdm.auto import tqdm
         except ImportError:
-            return
-        self._bar = tqdm(total=100.0, unit="%", bar_format="{l_bar}{bar}| {elapsed}<{remaining}")
-        self._call = self._show
-
-    def _show(self, share: float) -> None:
-        self._bar.update(100.0 * share - self._bar.n)
-
-    def __enter__(self) -> Callable[[float], Any] | None:
-        return self._call
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None) -> None:
-        if self._bar is not None:
-            self._bar.close()
+            return nullcontext()
+        return _shown(tqdm(total=100.0, unit="%", bar_format="{l_bar}{bar}| {elapsed}<{remaining}"))
+    return nullcontext()
 
 
-def _threads(threads: Any) -> int:
-    return _arguments.whole(threads, "threads")
+@contextmanager
+def _shown(bar: Any) -> Iterator[Callable[[float], Any]]:
+    with bar:
+        yield lambda share: bar.update(100.0 * share - bar.n)
 
 
 def _solved(make_job: Callable[[], Any], keep_mechanisms: Any, threads: Any, progress: Any, comm: Any) -> Result | None:
-    ranks = _ranks.ranks_of(comm)
-    with _ranks.telling(ranks):
-        job, count, kept = make_job(), _threads(threads), _arguments.flag(keep_mechanisms, "keep_mechanisms")
-        reported = _Reported(progress if _ranks.leads(ranks) else False)
+    ranks = _ranks_of(comm)
+    with _telling(ranks):
+        job, count, kept = make_job(), _arguments.whole(threads, "threads"), _arguments.flag(keep_mechanisms, "keep_mechanisms")
+        reported = _reported(progress if ranks is None or ranks.leads else False)
     with reported as report:
         found = _core.solve(job, count, kept, report, ranks)
     if found is None:
@@ -441,26 +458,24 @@ _KEYWORDS = (*_OF_TARGET, *_SECTIONS, "title")
 
 
 def _job(name: str, what: Any, args: tuple[Any, ...], keywords: dict[str, Any]) -> Any:
-    known = ("ghz", "looks") if isinstance(what, Target) else ("overrides",)
+    of_target = isinstance(what, Target)
+    known: tuple[str, ...] = ("ghz", "looks") if of_target else ("overrides",)
+    accepted = known + _KEYWORDS if of_target else known
     if len(args) > len(known):
         raise InputError(f"{name}: too many arguments; after the {_arguments.kind_of(what)} come {' and '.join(known)}, the rest by keyword")
     given = dict(zip(known, args))
     for keyword in keywords:
         if keyword in given:
             raise InputError(f"{name}: {keyword} is given twice, by place and by keyword; leave out one")
-        if keyword not in (known + _KEYWORDS if isinstance(what, Target) else known):
-            raise InputError(f"{name}: there is no keyword {keyword!r} here; {_remedy(keyword, known, isinstance(what, Target))}")
+        if keyword not in accepted:
+            near = difflib.get_close_matches(keyword, accepted, 1)
+            remedy = ("what a case file says is changed by overrides, for example {\"edges.order\": 2}" if not of_target else
+                      f"did you mean {near[0]!r}?" if near else f"choose among {', '.join(accepted)}")
+            raise InputError(f"{name}: there is no keyword {keyword!r} here; {remedy}")
     given |= keywords
-    if not isinstance(what, Target):
+    if not of_target:
         return _job_of_file(name, what, given.get("overrides"))
     return _job_of_target(name, what, given.pop("ghz", None), given.pop("looks", None), given)
-
-
-def _remedy(keyword: str, known: tuple[str, ...], of_target: bool) -> str:
-    if not of_target:
-        return "what a case file says is changed by overrides, for example {\"edges.order\": 2}"
-    near = difflib.get_close_matches(keyword, known + _KEYWORDS, 1)
-    return f"did you mean {near[0]!r}?" if near else f"choose among {', '.join(known + _KEYWORDS)}"
 
 
 def _job_of_file(name: str, case: Any, overrides: Any) -> Any:

@@ -18,7 +18,7 @@ _MOST = 1_000_000  # values of a range in a case file
 class Looks:
     """Pairs of directions, to the transmitter and to the receiver. Made by `monostatic`, `bistatic` and `looks`.
 
-    Their number is ``len``; of a list in a file it is not known before the solve, nor are its angles.
+    Their number is ``len``; for a list in a file, number and angles are not known before the solve.
     """
 
     def __init__(self, sections: dict[str, Any], rows: NDArray[np.float64] | None, bistatic: bool) -> None:
@@ -28,7 +28,7 @@ class Looks:
 
     @property
     def bistatic(self) -> bool:
-        """True where transmitter and receiver may stand apart; of a list in a file it is not known before the solve, and False."""
+        """True if transmitter and receiver may be apart; False for a list in a file, which is read when it is solved."""
         return self._bistatic
 
     def __len__(self) -> int:
@@ -51,12 +51,12 @@ class Looks:
 
     @property
     def rx_theta_deg(self) -> NDArray[np.float64]:
-        """Polar angle to the receiver of each look [deg]; that to the transmitter in a monostatic one."""
+        """Polar angle to the receiver of each look [deg]; for monostatic looks that to the transmitter."""
         return self._all()[:, 2]
 
     @property
     def rx_phi_deg(self) -> NDArray[np.float64]:
-        """Azimuth to the receiver of each look [deg]; that to the transmitter in a monostatic one."""
+        """Azimuth to the receiver of each look [deg]; for monostatic looks that to the transmitter."""
         return self._all()[:, 3]
 
     def _all(self) -> NDArray[np.float64]:
@@ -88,13 +88,13 @@ def monostatic(theta_deg: Any, phi_deg: Any) -> Looks:
     Raises
     ------
     InputError
-        For what is neither numbers nor a range.
+        For anything but numbers or a range.
     """
     return Looks({"look": _angles("monostatic", theta_deg, phi_deg)}, None, False)
 
 
 def bistatic(theta_deg: Any, phi_deg: Any, rx_theta_deg: Any, rx_phi_deg: Any) -> Looks:
-    """Looks with transmitter and receiver apart: every direction of one with every direction of the other, the receiver's fastest.
+    """Looks with transmitter and receiver apart: every direction to one with every direction to the other, the receiver's fastest.
 
     Parameters
     ----------
@@ -110,10 +110,10 @@ def bistatic(theta_deg: Any, phi_deg: Any, rx_theta_deg: Any, rx_phi_deg: Any) -
     Raises
     ------
     InputError
-        For what is neither numbers nor a range.
+        For anything but numbers or a range.
     """
-    return Looks({"look": _angles("bistatic", theta_deg, phi_deg), "receive": _angles("bistatic", rx_theta_deg, rx_phi_deg, "rx_")},
-                 None, True)
+    receive = _angles("bistatic", rx_theta_deg, rx_phi_deg, "rx_")
+    return Looks({"look": _angles("bistatic", theta_deg, phi_deg), "receive": receive}, None, True)
 
 
 def looks(source: Any, phi_deg: ArrayLike | None = None, rx_theta_deg: ArrayLike | None = None,
@@ -125,7 +125,7 @@ def looks(source: Any, phi_deg: ArrayLike | None = None, rx_theta_deg: ArrayLike
     source : path or array of float, shape (looks,)
         A CSV file with the columns theta_deg, phi_deg[, rx_theta_deg, rx_phi_deg], or the theta of each look [deg].
     phi_deg : array of float, shape (looks,), optional
-        Azimuth of each look [deg], where `source` is no file.
+        Azimuth of each look [deg], unless `source` is a file.
     rx_theta_deg, rx_phi_deg : arrays of float, shape (looks,), optional
         Directions to the receiver [deg]; without them the looks are monostatic.
 

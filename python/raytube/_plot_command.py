@@ -5,17 +5,17 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from raytube._arguments import CHANNELS
 from raytube._command import Parser, new_files
 from raytube._core import InputError
-from raytube._figures import Options, Pictures, figure_of_results
+from raytube._figures import Options, Pictures, figure_of_results, twice
 from raytube._plots import TITLES, Style
-from raytube._product_figures import product_pictures, waterfall_of_result
+from raytube._product_figures import figure_of_waterfall, product_pictures
 from raytube._rows import Rows, read_rows
 from raytube._tables import require_free
 
@@ -29,8 +29,8 @@ _DESCRIPTION = "Draws results as curves, maps or polar curves, and what profile,
 _EXAMPLES = """A result is rcs.csv, a netCDF file (.nc) of raytube's, or any table that compare takes. Sweeps over two quantities are maps, the
 whole sphere in a projection of equal areas; several results are curves in one picture. A result of a single look is printed
 as a table. Results become plot.png and plot.svg beside the first one; other files (parts.csv, image.csv, profile.csv or .nc,
-isar.csv or .nc, centres.csv, converge.csv, compare.csv, sources.csv) pictures of their own names beside each.
-Of a folder all such files are drawn.
+isar.csv or .nc, centres.csv, converge.csv, compare.csv, sources.csv) become pictures of the same name beside each.
+For a folder, all such files are drawn.
 
 Examples:
   raytube plot out/rcs.csv
@@ -51,12 +51,12 @@ def main(arguments: list[str]) -> int:
     if options.kind != "waterfall" and any(len(each.keys) == 1 for each in rows):
         if len(rows) > 1:
             raise InputError(f"{next(each.file for each in rows if len(each.keys) == 1)}: a single look makes no curve beside others; plot it "
-                             "alone, which prints it as a table")
+                             "alone, and it is printed as a table")
         print(look_table(rows[0], options.channels), end="")
         rows = []
-    jobs = [(Path(results[0]).absolute().parent, _of_results(rows, options))] if rows else []
-    for file, draw in products:
-        jobs.append((Path(file).absolute().parent, draw(file, options)))
+    draw_results = figure_of_waterfall if options.kind == "waterfall" else figure_of_results
+    jobs = [(Path(results[0]).absolute().parent, twice("plot", partial(draw_results, rows, options)))] if rows else []
+    jobs += [(Path(file).absolute().parent, draw(file, options)) for file, draw in products]
     if isinstance(target, tuple):
         if len(jobs) > 1:
             raise InputError(f"-o {asked.output}: {len(jobs)} pictures do not go into one file; name a folder")
@@ -73,13 +73,13 @@ def _parser() -> Parser:
     parser.add_argument("--channels", default="", metavar="PQ,...", help="Channels to draw: vv,vh,hv,hh; default those with a signal")
     parser.add_argument("--range", metavar="DB", type=float, help="Depth below the peak; default down to the lowest rows, maps 50 dB at most")
     parser.add_argument("--unit", default="dbsm", choices=_UNITS, help="dBsm, square metres, or dB below the peak; default dbsm")
-    parser.add_argument("--size", metavar="WxH", help="Pixels, for example 1600x900; of a PDF hundredths of an inch. Text grows with it")
+    parser.add_argument("--size", metavar="WxH", help="Pixels, for example 1600x900; for a PDF hundredths of an inch. Text scales with it")
     parser.add_argument("--style", default="screen", choices=_STYLES, help="Colours, or black and grey; default screen")
     parser.add_argument("--title", default="", metavar="TEXT", help="Heading; default the case's title")
     parser.add_argument("--columns", default="", metavar="OURS=THEIRS,...", help="Columns of a table of another program, or its name")
     parser.add_argument("--no-model", action="store_true", help="Draw no bands of model uncertainty")
     parser.add_argument("--run", default="", metavar="DIR|CASE", help="Folder of the run, or case, whose title and outline are shown; default the file's")
-    parser.add_argument("-q", "--quiet", action="store_true", help="Do not say what was written")
+    parser.add_argument("-q", "--quiet", action="store_true", help="Do not print what was written")
     return parser
 
 
@@ -116,7 +116,7 @@ def _target(output: str | None) -> Path | tuple[Path, str] | None:
     if ending in _ENDINGS and not place.is_dir():
         return place.parent, place.name
     if ending.lower() in (*_ENDINGS, *_OTHERS):
-        raise InputError(f"-o {output}: no such picture is drawn; name a .png, .svg or .pdf, or a folder")
+        raise InputError(f"-o {output}: pictures of this kind cannot be drawn; name a .png, .svg or .pdf, or a folder")
     if place.exists() and not place.is_dir():
         raise InputError(f"-o {output}: is a file, not a folder; name a .png, .svg or .pdf, or a folder")
     return place
@@ -128,13 +128,11 @@ def _sorted_files(named: list[str], options: Options) -> tuple[list[str], list[t
     for name in named:
         if not os.path.exists(name):
             raise InputError(f"{name}: there is no such file; name results or their folder")
-        files = _files_of_folder(name) if os.path.isdir(name) else [name]
-        for file in files:
-            draw = None if options.columns else product_pictures(file)
-            if draw is None:
-                results.append(file)
-            else:
+        for file in _files_of_folder(name) if os.path.isdir(name) else [name]:
+            if draw := None if options.columns else product_pictures(file):
                 products.append((file, draw))
+            else:
+                results.append(file)
     return results, products
 
 
@@ -145,19 +143,8 @@ def _files_of_folder(folder: str) -> list[str]:
         if ending in (".csv", ".nc") and (stem == "rcs" or product_pictures(file)):
             found.setdefault(stem, file)  # .csv before .nc, which holds the same
     if not found:
-        raise InputError(f"{folder}: holds nothing that is drawn, no rcs.csv or rcs.nc; name a result, or the folder of a run")
+        raise InputError(f"{folder}: holds nothing to draw, neither rcs.csv nor rcs.nc; name a result, or the folder of a run")
     return list(found.values())
-
-
-def _of_results(rows: list[Rows], options: Options) -> Pictures:
-    def draw() -> Any:
-        if options.kind != "waterfall":
-            return figure_of_results(rows, options)
-        if len(rows) > 1:
-            raise InputError(f"--kind waterfall: {len(rows)} results; a waterfall shows one, give one file")
-        return waterfall_of_result(rows[0].file, options)
-
-    return {"plot.png": draw, "plot.svg": draw}
 
 
 def _write(jobs: list[tuple[Path, Pictures]], options: Options, asked: argparse.Namespace) -> None:
@@ -167,13 +154,9 @@ def _write(jobs: list[tuple[Path, Pictures]], options: Options, asked: argparse.
         require_free(str(folder), pictures, asked.result)
     for folder, pictures in jobs:
         with new_files(folder) as place, matplotlib.rc_context({"svg.hashsalt": "raytube", "svg.fonttype": "none", "axes.unicode_minus": True}):
-            drawn: dict[int, Any] = {}
             for name, draw in pictures.items():
-                figure = drawn.get(id(draw)) or draw()
-                drawn[id(draw)] = figure
-                dpi = 100 if options.size else _DPI
                 meta = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(Path(name).suffix)
-                figure.savefig(place / name, dpi=dpi, metadata=meta)
+                draw().savefig(place / name, dpi=100 if options.size else _DPI, metadata=meta)
         if not asked.quiet:
             print(f"{'pictures' if len(pictures) > 1 else 'picture'} in {folder}: {', '.join(pictures)}")
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import matplotlib.patches
@@ -13,8 +15,8 @@ from numpy.typing import NDArray
 
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._rows import (FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, Cut, Floats, Grid, Rows, cuts_of, goes_round, grid_of,
-                           rows_of_result)
+from raytube._rows import FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, Cut, Grid, Rows, cuts_of, goes_round, grid_of, rows_of_result
+from raytube._tables import KEYS, Floats, largest_of_blocks
 
 if TYPE_CHECKING:
     from xarray import DataArray
@@ -48,6 +50,11 @@ class Style:
         return "Greys" if self.printed else "viridis"
 
     @property
+    def ink(self) -> str:
+        """What lines over a map are drawn in."""
+        return "#404040" if self.printed else "white"
+
+    @property
     def colours(self) -> tuple[str, ...]:
         return _GREYS if self.printed else _COLOURS
 
@@ -69,6 +76,12 @@ class Scale:
     peak_dbsm: float
     bottom: float
     top: float
+    colour_map: str = "viridis"
+
+    @property
+    def mesh(self) -> dict[str, Any]:
+        """Keywords of a mesh whose colours are levels."""
+        return {"vmin": self.bottom, "vmax": self.top, "cmap": self.colour_map}
 
     @property
     def label(self) -> str:
@@ -85,15 +98,15 @@ def scale_of(levels: Any, style: Style, depth: float, exact: bool = False) -> Sc
     """A scale that holds levels [dBsm] down to `depth` below their peak; in round numbers, or exactly."""
     finite = np.asarray(levels, dtype=float)
     finite = finite[np.isfinite(finite)]
-    peak = float(finite.max(initial=-np.inf)) if finite.size else 0.0
+    peak = float(finite.max()) if finite.size else 0.0
     if style.unit == "m2":
-        return Scale("m2", peak, 0.0, 10.0 ** (peak / 10.0) * (1.0 if exact else 1.05))
+        return Scale("m2", peak, 0.0, 10.0 ** (peak / 10.0) * (1.0 if exact else 1.05), style.colour_map)
     least, top = peak - (style.range_db or depth), peak
     lowest = least if style.range_db else min(float(finite[finite >= least].min(initial=peak)), peak - LEAST_DEPTH)
     if not exact:
         lowest, top = lowest if style.range_db else 10.0 * np.floor(lowest / 10.0), 5.0 * np.ceil((peak + 2.0) / 5.0)
     shift = peak if style.unit == "db-peak" else 0.0
-    return Scale(style.unit, peak, lowest - shift, top - shift)
+    return Scale(style.unit, peak, lowest - shift, top - shift, style.colour_map)
 
 
 def angle_ticks(axis: Any, key: int, most: int = 9) -> None:
@@ -115,24 +128,18 @@ def draw_cut(ax: Any, rows: Rows, cut: Cut, key: int, channels: list[int], scale
         sigma, look = rows.sigma[order, channel], style.line(*place, channel, len(x), rows.joined)
         ax.plot(x, np.maximum(scale.of(sigma), scale.bottom) if angle else scale.of(sigma), label=f"{name} {TITLES[channel]}".strip(), **look)
         if style.model and rows.model is not None and place[1] == 1 and np.any(rows.model[order, channel] > 0.0):
-            low, high = _spread(sigma, rows.model[order, channel])
+            model = rows.model[order, channel]  # how much larger the amplitude may be [dB]; by as much it may be smaller
+            with np.errstate(divide="ignore"):
+                low, high = scale.of(sigma + 20.0 * np.log10(np.maximum(2.0 - 10.0 ** (model / 20.0), 0.0))), scale.of(sigma + model)
             if rows.joined:
-                ax.fill_between(x, scale.of(low), scale.of(high), color=look["color"], alpha=0.18, linewidth=0.0)
+                ax.fill_between(x, low, high, color=look["color"], alpha=0.18, linewidth=0.0)
             else:
-                ax.vlines(x, scale.of(low), scale.of(high), colors=look["color"], alpha=0.3)
+                ax.vlines(x, low, high, colors=look["color"], alpha=0.3)
     if not angle:
-        ax.set_xlabel(LABELS[key])
-        ax.set_ylabel(scale.label)
-        ax.set_xlim((cut.x[0], cut.x[-1]) if len(cut.x) > 1 else (cut.x[0] - 1.0, cut.x[0] + 1.0))
-        ax.set_ylim(scale.bottom, scale.top)
+        ends = (cut.x[0], cut.x[-1]) if len(cut.x) > 1 else (cut.x[0] - 1.0, cut.x[0] + 1.0)
+        ax.set(xlabel=LABELS[key], ylabel=scale.label, xlim=ends, ylim=(scale.bottom, scale.top))
         ax.grid(alpha=0.3)
         angle_ticks(ax.xaxis, key)
-
-
-def _spread(sigma: Floats, error_db: Floats) -> tuple[Floats, Floats]:
-    """Levels of amplitudes that are smaller and larger by an error, which is given as the larger one's dB."""
-    with np.errstate(divide="ignore"):
-        return sigma + 20.0 * np.log10(np.maximum(2.0 - 10.0 ** (error_db / 20.0), 0.0)), sigma + error_db
 
 
 def add_key(ax: Any, beside: bool = True) -> None:
@@ -173,13 +180,12 @@ def polar_scale(levels: Floats, style: Style) -> Scale:
     return replace(plain, bottom=bottom, top=top)
 
 
-def draw_grid(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+def draw_grid(ax: Any, grid: Grid, levels: Floats, **colours: Any) -> Any:
     """A map of levels [up, across]: the whole sphere on axes of a projection, else on plain axes with theta downwards."""
     if ax.name == "hammer":
-        return _draw_sphere(ax, grid, levels, limits, colours)
-    mesh = draw_cells(ax, grid.x, grid.y, levels, limits, colours)
-    ax.set_xlabel(LABELS[grid.across])
-    ax.set_ylabel(LABELS[grid.up])
+        return _draw_sphere(ax, grid, levels, **colours)
+    mesh = draw_cells(ax, grid.x, grid.y, levels, **colours)
+    ax.set(xlabel=LABELS[grid.across], ylabel=LABELS[grid.up])
     if grid.across in (PHI, RX_PHI) and grid.up in (THETA, RX_THETA):
         ax.invert_yaxis()  # the upper side of the target is above
     angle_ticks(ax.xaxis, grid.across)
@@ -187,22 +193,18 @@ def draw_grid(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float], 
     return mesh
 
 
-def draw_cells(ax: Any, x: Floats, y: Floats, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+def draw_cells(ax: Any, x: Floats, y: Floats, levels: Floats, **colours: Any) -> Any:
     """Levels [up, across] as coloured cells; of more cells than pixels the strongest, so that no peak is lost."""
-    x, y, levels = np.asarray(x), np.asarray(y), np.asarray(levels)
-    for axis in (0, 1):
-        together = -(-levels.shape[axis] // _MOST_CELLS)
-        if together > 1:
-            starts = np.arange(0, levels.shape[axis], together)
-            levels = np.fmax.reduceat(levels, starts, axis=axis)
-            at = (y, x)[axis]
-            at = np.add.reduceat(at, starts) / np.diff(np.append(starts, len(at)))
-            x, y = (x, at) if axis == 0 else (at, y)
+    levels, middles = np.asarray(levels), []
+    for axis, at in enumerate((y, x)):
+        levels, size = largest_of_blocks(levels, axis, _MOST_CELLS)
+        starts = np.arange(0, len(at), size)
+        middles.append(np.add.reduceat(np.asarray(at), starts) / np.diff(np.append(starts, len(at))))
     ax.set_facecolor("#ececec")
-    return ax.pcolormesh(x, y, levels, shading="nearest", vmin=limits[0], vmax=limits[1], cmap=colours, rasterized=True)
+    return ax.pcolormesh(middles[1], middles[0], levels, shading="nearest", rasterized=True, **colours)
 
 
-def _draw_sphere(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float], colours: Any) -> Any:
+def _draw_sphere(ax: Any, grid: Grid, levels: Floats, **colours: Any) -> Any:
     phi = (grid.x + 180.0) % 360.0 - 180.0
     order = np.unique(phi, return_index=True)[1]
     phi, levels = np.append(phi[order], phi[order[0]] + 360.0), np.concatenate([levels[:, order], levels[:, order[:1]]], axis=1)
@@ -210,7 +212,7 @@ def _draw_sphere(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float
     middle = 0.5 * (grid.y[:-1] + grid.y[1:])
     theta = np.concatenate([[max(0.0, 2.0 * grid.y[0] - middle[0])], middle, [min(180.0, 2.0 * grid.y[-1] - middle[-1])]])
     ax.grid(False)
-    mesh = ax.pcolormesh(np.radians(east), np.radians(90.0 - theta), levels, vmin=limits[0], vmax=limits[1], cmap=colours, rasterized=True)
+    mesh = ax.pcolormesh(np.radians(east), np.radians(90.0 - theta), levels, rasterized=True, **colours)
     ax.grid(True, color="white", alpha=0.4, linewidth=0.6)
     ax.set_xticks(np.radians(np.arange(-120, 121, 60)), [f"φ {phi}°" if phi == 0 else f"{phi}°" for phi in range(-120, 121, 60)])
     ax.set_yticks(np.radians(np.arange(60, -61, -30)), [f"θ {theta}°" for theta in range(30, 151, 30)])
@@ -219,39 +221,38 @@ def _draw_sphere(ax: Any, grid: Grid, levels: Floats, limits: tuple[float, float
     return mesh
 
 
-def draw_lines(ax: Any, lines: Any, silhouette: int, plane: NDArray[Any], dark: bool) -> None:
+def draw_lines(ax: Any, lines: Any, silhouette: int, plane: NDArray[Any], ink: str) -> None:
     """Lines of a target (n, 2, 3) in the plane of two unit vectors, thin; the last ones, its silhouette, stronger."""
     ends = list(np.asarray(lines) @ plane.T)
     for part, width, alpha in ((ends[:len(ends) - silhouette], 0.4, 0.5), (ends[len(ends) - silhouette:], 0.9, 0.9)):
-        ax.add_collection(LineCollection(part, colors="#404040" if dark else "white", linewidths=width, alpha=alpha))
+        ax.add_collection(LineCollection(part, colors=ink, linewidths=width, alpha=alpha))
 
 
-def radar_arrow(ax: Any, dark: bool) -> None:
+def radar_arrow(ax: Any, ink: str) -> None:
     """Where the radar is: below, range grows upwards."""
-    colour = "#404040" if dark else "white"
-    ax.annotate("", (0.05, 0.2), (0.05, 0.08), "axes fraction", arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 1.2})
-    ax.text(0.05, 0.02, "radar", transform=ax.transAxes, color=colour, ha="center", va="bottom", fontsize="small", clip_on=False)
+    ax.annotate("", (0.05, 0.2), (0.05, 0.08), "axes fraction", arrowprops={"arrowstyle": "-|>", "color": ink, "linewidth": 1.2})
+    ax.text(0.05, 0.02, "radar", transform=ax.transAxes, color=ink, ha="center", va="bottom", fontsize="small", clip_on=False)
 
 
-def image_levels(image: IsarImage, channel: str) -> tuple[str, Floats]:
-    """What goes up in the picture of an image, and its levels [up, cross-range]: in space the strongest cell along range."""
-    sigma, up = image["sigma_dbsm"].sel(channel=channel), "range"
+def image_levels(image: IsarImage) -> tuple[str, Floats]:
+    """What goes up in the picture of an image, and its levels [up, cross-range, channel]: in space the strongest cell along range."""
+    sigma, up = image["sigma_dbsm"], "range"
     if "height_m" in sigma.dims:
         sigma, up = sigma.max("range_m"), "height"
-    return up, np.asarray(sigma.transpose(f"{up}_m", "cross_range_m").values)
+    return up, np.asarray(sigma.transpose(f"{up}_m", "cross_range_m", "channel").values)
 
 
-def draw_image(ax: Any, image: IsarImage, levels: Floats | None, up: str, limits: tuple[float, float], style: Style, edges: Any) -> Any:
+def draw_image(ax: Any, image: IsarImage, levels: Floats | None, up: str, edges: Any, ink: str = "white", **colours: Any) -> Any:
     """An image in its metres, the target over it, and where the radar is; without levels the axes and lines alone."""
     x, y = image["cross_range_m"].values, image[f"{up}_m"].values
-    mesh = draw_cells(ax, x, y, levels, limits, style.colour_map) if levels is not None else None
-    limits_of_axes = ax.get_xlim(), ax.get_ylim()
+    mesh = draw_cells(ax, x, y, levels, **colours) if levels is not None else None
+    xlim, ylim = ax.get_xlim(), ax.get_ylim()
     if edges is not None:
         plane = np.array([image.attrs["cross_range_direction"], image.attrs[f"{up}_direction"]])
-        draw_lines(ax, edges.transpose("edge", "end", "xyz").values, edges.attrs.get("silhouette", 0), plane, style.printed)
-    ax.set(xlim=limits_of_axes[0], ylim=limits_of_axes[1], xlabel="cross-range (m)", ylabel=f"{up} (m)", aspect="equal")
+        draw_lines(ax, edges.transpose("edge", "end", "xyz").values, edges.attrs.get("silhouette", 0), plane, ink)
+    ax.set(xlim=xlim, ylim=ylim, xlabel="cross-range (m)", ylabel=f"{up} (m)", aspect="equal")
     if up == "range":
-        radar_arrow(ax, style.printed)
+        radar_arrow(ax, ink)
     return mesh
 
 
@@ -285,20 +286,19 @@ def draw_profile(ax: Any, ranges: Floats, sigma: dict[str, Floats], style: Style
 
 def looks_axis(profiles: Any) -> tuple[Floats, int]:
     """What differs from look to look: one angle, or else their number."""
-    names = {"phi_deg": PHI, "theta_deg": THETA, "rx_phi_deg": RX_PHI, "rx_theta_deg": RX_THETA}
-    varying = [name for name in names if name in profiles.coords and np.ptp(profiles[name].values) > 0.0]
+    angles = {key: profiles[KEYS[key]].values for key in (PHI, THETA, RX_PHI, RX_THETA) if KEYS[key] in profiles.coords}
+    varying = [key for key, values in angles.items() if np.ptp(values) > 0.0]
     if len(varying) > 1:  # a receiver that goes along with its radar
-        varying = [name for name in varying if not name.startswith("rx_") or
-                   np.any(profiles[name].values != profiles[name.removeprefix("rx_")].values)]
-    if len(varying) == 1 and np.all(np.diff(profiles[varying[0]].values) > 0.0):
-        return profiles[varying[0]].values, names[varying[0]]
+        varying = [key for key in varying if key < RX_THETA or np.any(angles[key] != angles[key - 2])]
+    if len(varying) == 1 and np.all(np.diff(angles[varying[0]]) > 0.0):
+        return angles[varying[0]], varying[0]
     return np.arange(profiles.sizes["look"]), LOOK
 
 
-def draw_waterfall(ax: Any, profiles: Any, levels: Floats, limits: tuple[float, float], style: Style) -> Any:
+def draw_waterfall(ax: Any, profiles: Any, levels: Floats, **colours: Any) -> Any:
     """Levels [look, range] as a map."""
     y, key = looks_axis(profiles)
-    mesh = draw_cells(ax, profiles["range_m"].values, y, levels, limits, style.colour_map)
+    mesh = draw_cells(ax, profiles["range_m"].values, y, levels, **colours)
     ax.set(xlabel="range (m)", ylabel=LABELS[key])
     angle_ticks(ax.yaxis, key)
     return mesh
@@ -313,15 +313,13 @@ def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
         varying = [k for k in (PHI, THETA, RX_PHI, RX_THETA) if rows.known[k] and np.ptp(rows.keys[:, k]) > 0.0]
         across = varying[0] if len(varying) == 1 else LOOK
         x = rows.keys[::frequencies, across] if across != LOOK else np.arange(float(looks))
-        grid: Grid | None = Grid(across, FREQUENCY, x, rows.keys[:frequencies, FREQUENCY],
-                                 np.arange(looks * frequencies).reshape(looks, frequencies).T, "", True)
+        numbers = np.arange(looks * frequencies).reshape(looks, frequencies).T
+        grid: Grid | None = Grid(across, FREQUENCY, x, rows.keys[:frequencies, FREQUENCY], numbers, "", True)
     else:
         grid = grid_of(rows, rows.peak_row(chosen), 1) if np.any(np.isfinite(rows.sigma[:, chosen])) else None
     ax = ax or _new_axes()
     if grid:
-        scale = scale_of(grid.over(rows.sigma[:, chosen[0]]), style, MAP_DEPTH, exact=True)
-        mesh = draw_grid(ax, grid, grid.over(rows.sigma[:, chosen[0]]), (scale.bottom, scale.top), style.colour_map)
-        ax.figure.colorbar(mesh, ax=ax, label=f"σ, {TITLES[chosen[0]]} (dBsm)")
+        _add_map(ax, partial(draw_grid, grid=grid), grid.over(rows.sigma[:, chosen[0]]), channels[0])
     else:
         cut = cuts[0] if len(cuts) == 1 else Cut("", np.arange(len(rows.keys)), np.arange(float(len(rows.keys))))
         scale = scale_of(rows.sigma[:, chosen], style, CURVE_DEPTH)
@@ -351,9 +349,7 @@ def plot_profiles(profiles: RangeProfiles, channels: tuple[str, ...], ax: Any) -
     ax, sigma = ax or _new_axes(), profiles["sigma_dbsm"].sel(channel=list(channels))
     if "look" in sigma.dims:
         levels = sigma.sel(channel=channels[0]).transpose("look", "range_m").values
-        scale = scale_of(levels, Style(), MAP_DEPTH, exact=True)
-        mesh = draw_waterfall(ax, profiles, levels, (scale.bottom, scale.top), Style())
-        ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channels[0].upper()} (dBsm)")
+        _add_map(ax, partial(draw_waterfall, profiles=profiles), levels, channels[0])
     else:
         draw_profile(ax, profiles["range_m"].values, {c: sigma.sel(channel=c).values for c in channels}, Style())
         add_key(ax, beside=False)
@@ -363,12 +359,16 @@ def plot_profiles(profiles: RangeProfiles, channels: tuple[str, ...], ax: Any) -
 
 def plot_isar(image: IsarImage, channel: str, ax: Any, edges: DataArray | None) -> Any:
     """See `IsarImage.plot`."""
-    ax, (up, levels) = ax or _new_axes(), image_levels(image, channel)
-    scale = scale_of(levels, Style(), MAP_DEPTH, exact=True)
-    mesh = draw_image(ax, image, levels, up, (scale.bottom, scale.top), Style(), edges)
-    ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")
+    ax, (up, levels) = ax or _new_axes(), image_levels(image.sel(channel=[channel]))
+    _add_map(ax, partial(draw_image, image=image, up=up, edges=edges), levels[..., 0], channel)
     ax.set_title("\n".join(text for text in (image.attrs.get("title", ""), image_text(image)) if text), fontsize="medium")
     return ax
+
+
+def _add_map(ax: Any, draw: Callable[..., Any], levels: Floats, channel: str) -> None:
+    """Levels [dBsm] as colours, with a bar."""
+    mesh = draw(ax, levels=levels, **scale_of(levels, Style(), MAP_DEPTH, exact=True).mesh)
+    ax.figure.colorbar(mesh, ax=ax, label=f"σ, {channel.upper()} (dBsm)")
 
 
 def _new_axes(projection: str | None = None) -> Any:

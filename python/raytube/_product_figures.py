@@ -18,15 +18,18 @@ from matplotlib.ticker import FuncFormatter, MaxNLocator, NullFormatter
 from raytube import _plots
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._figures import CROSS_POLAR, MOST_PANELS, Options, Pictures, canvas, centre_heading, heat_panels, panels_of_cuts
-from raytube._geometry import drawn_lines, target_of_run
+from raytube._figures import (MOST_PANELS, Options, Pictures, canvas, centre_heading, heat_panels, map_panels, mapped_channels, panels_of_cuts,
+                              twice)
 from raytube._plots import CURVE_DEPTH, IMAGE_DEPTH, MAP_DEPTH, TITLES, Style, scale_of
-from raytube._rows import FREQUENCY, LABELS, PHI, THETA, Floats, Grid, Rows, choice_with, cuts_of, grid_of, name_apart, read_rows
-from raytube._tables import KEYS, amplitudes_of, centres_of, comments, dbsm, header_of, is_coarse, mechanism_text, mechanisms_of, read_csv, run_of
+from raytube._products import drawn_lines, outline_over, target_of_run
+from raytube._rows import FREQUENCY, LABELS, PHI, THETA, UNITS, Grid, Rows, choice_with, cuts_of, grid_of, name_apart, read_rows
+from raytube._tables import (KEYS, Floats, amplitudes_of, centres_of, comments, dbsm, header_of, is_coarse, mechanism_text, mechanisms_of, read_csv,
+                             run_of)
 
 _MOST_LABELLED = 10  # centres, as many as the command lists
 _WINDOW = 6.0  # wavelengths: faces turned by 10 degrees and more then show their edges only
 _SYMBOLS = "os^DvpX*"  # of centres, by mechanism
+_DARK = Style(printed=True).ink  # on white
 
 
 def _title_beside(file: str, options: Options) -> str:
@@ -42,38 +45,31 @@ def _signal(sigma: Floats, depth: float, asked: list[int]) -> list[int]:
 
 
 def _product(file: str, dims: tuple[str, ...]) -> Any:
-    """A profile, an image or centres as a dataset (..., channel) of ``S`` and ``sigma_dbsm``, from netCDF or from a table."""
+    """Range profiles or an image as a dataset (..., channel) of ``S`` and ``sigma_dbsm``, from netCDF or from a table."""
     import xarray as xr
 
     if file.lower().endswith(".nc"):
         with xr.open_dataset(file) as stored:
-            data = stored.load()
-        flat = data.stack(channel=("receive", "transmit")).reset_index("channel", drop=True).assign_coords(channel=list(CHANNELS))
+            flat = stored.load().stack(channel=("receive", "transmit")).reset_index("channel", drop=True).assign_coords(channel=list(CHANNELS))
         return flat.assign(S=flat["S_re"] + 1j * flat["S_im"])
     table, text = read_csv(file), " ".join(comments(file))
-    coordinates: dict[str, Any] = {}
-    for name in dims:
-        coordinates[name] = (name, table[name].to_numpy()[np.sort(np.unique(table[name].to_numpy(), return_index=True)[1])])
-    if dims == ("range_m",):  # and looks before it
-        count = len(coordinates["range_m"][1])
+    profiles = dims == ("range_m",)
+    if profiles:
+        table["look"] = np.arange(len(table)) // table["range_m"].nunique()
         dims = ("look", *dims)
-        coordinates |= {name: ("look", table[name].to_numpy()[::count]) for name in KEYS[1:]}
-        shape: tuple[int, ...] = (-1, count, 4)
-    else:
-        shape = (*(len(coordinates[name][1]) for name in dims), 4)
-    s = amplitudes_of(table).reshape(shape)
-    attributes: dict[str, Any] = {}
+    columns, channel = table.set_index([*dims]).to_xarray(), xr.DataArray(list(CHANNELS), dims="channel", name="channel")
+    s = xr.concat([columns[f"re_{c}"] + 1j * columns[f"im_{c}"] for c in CHANNELS], channel).transpose(*dims, "channel")
+    data = xr.Dataset({"S": s, "sigma_dbsm": (s.dims, dbsm(s.values))})
+    if profiles:  # one value a look stands in each of its rows
+        looks = columns.isel(range_m=0, drop=True)
+        data = data.assign_coords({name: looks[name] for name in KEYS[1:]})
+        for level in ("error", "model"):
+            data[f"{level}_dbsm"] = xr.concat([looks[f"{level}_{c}_dbsm"] for c in CHANNELS], channel).transpose("look", "channel")
     for name, x, y, z, width in re.findall(r"(\w+)_m along \(?([-\d.e+]+),? ([-\d.e+]+),? ([-\d.e+]+)\)?: peaks ([\d.e+-]+) m wide", text):
-        attributes |= {f"{name}_direction": tuple(map(float, (x, y, z))), f"{name}_resolution_m": float(width)}
-    if found := re.search(r"Peaks are ([\d.e+-]+) m wide", text):
-        attributes["range_resolution_m"] = float(found[1])
-    if found := re.search(r"farther|what is ([\d.e+-]+) m farther", text):
-        attributes["range_unambiguous_m"] = float(found[1])
-    data = xr.Dataset({"S": ((*dims, "channel"), s), "sigma_dbsm": ((*dims, "channel"), dbsm(s))},
-                      coordinates | {"channel": list(CHANNELS)}, attributes)
-    for level in ("error", "model") if dims[0] == "look" else ():
-        floors = np.stack([table[f"{level}_{c}_dbsm"].to_numpy()[::count] for c in CHANNELS], axis=1)
-        data[f"{level}_dbsm"] = (("look", "channel"), floors)
+        data.attrs |= {f"{name}_direction": tuple(map(float, (x, y, z))), f"{name}_resolution_m": float(width)}
+    for name, words in (("resolution", r"Peaks are ([\d.e+-]+) m wide"), ("unambiguous", r"what is ([\d.e+-]+) m farther")):
+        if found := re.search(words, text):
+            data.attrs[f"range_{name}_m"] = float(found[1])
     return data
 
 
@@ -103,25 +99,22 @@ def _profile_pictures(data: Any, title: str, options: Options) -> Pictures:
 
     def waterfall() -> Figure:
         channels = [c for c in options.channels or (0, 3) if np.any(np.isfinite(sigma[..., c]))] or [0]
-        scale = scale_of(sigma[..., channels], options.style, MAP_DEPTH, exact=True)
-        limits = scale.bottom, scale.top
-        panels = [(TITLES[c], partial(_plots.draw_waterfall, profiles=data, levels=scale.of(sigma[..., c]), limits=limits, style=options.style))
-                  for c in channels]
-        return heat_panels(panels, scale.label, f"{title}\nrange profiles by look; {resolution}", options, (5.4, 3.6))
+        heading = f"{title}\nrange profiles by look; {resolution}"
+        return map_panels(partial(_plots.draw_waterfall, profiles=data), sigma, channels, heading, options, (5.4, 3.6))
 
-    both = ".png", ".svg"
-    pictures: Pictures = {f"profile{ending}": profile for ending in both}
-    return pictures | ({f"waterfall{ending}": waterfall for ending in both} if len(sigma) > 1 else {})
+    return twice("profile", profile) | (twice("waterfall", waterfall) if len(sigma) > 1 else {})
 
 
-def waterfall_of_result(file: str, options: Options) -> Figure:
+def figure_of_waterfall(results: list[Rows], options: Options) -> Figure:
     """Range profiles of a result of raytube's."""
     from raytube._result import load
 
-    result = load(file)
-    data = result.waterfall()
-    title = options.title or result.title or _title_beside(file, options)
-    return _profile_pictures(data, title, options)["waterfall.png" if data.sizes["look"] > 1 else "profile.png"]()
+    if len(results) > 1:
+        raise InputError(f"--kind waterfall: {len(results)} results; a waterfall shows one, give one file")
+    result = load(results[0].file)
+    title = options.title or result.title or _title_beside(results[0].file, options)
+    *_, draw = _profile_pictures(result.waterfall(), title, options).values()  # of one look its profile
+    return draw()
 
 
 def _sweep_beside(file: str) -> dict[str, Any]:
@@ -136,26 +129,19 @@ def _sweep_beside(file: str) -> dict[str, Any]:
 
 def isar_pictures(file: str, options: Options) -> Pictures:
     """``isar.png`` of the channels with a signal, and of an image in a plane ``isar_pauli.png``."""
-    from raytube._products import outline_over
-
     data = _product(file, ("range_m", "cross_range_m", "height_m")[:3 if "height_m" in header_of(file) else 2])
     data.attrs |= _sweep_beside(options.beside(file))
     target = target_of_run(options.described(file))
     edges = outline_over(data, target) if target is not None else None
-    levels = {c: _plots.image_levels(data, CHANNELS[c]) for c in range(4)}
-    stacked = np.stack([levels[c][1] for c in range(4)], axis=-1)
-    up, heading = levels[0][0], f"{_title_beside(file, options)}\nISAR: {_plots.image_text(data)}"
+    up, levels = _plots.image_levels(data)
+    heading = f"{_title_beside(file, options)}\nISAR: {_plots.image_text(data)}"
     aspect = float(np.ptp(data[f"{up}_m"].values) / max(np.ptp(data["cross_range_m"].values), 1e-9))
     height = float(np.clip(4.6 * aspect, 2.2, 6.5))
 
     def isar() -> Figure:
-        channels = _signal(stacked, MAP_DEPTH, options.channels)
-        scale = scale_of(stacked[..., channels], options.style, MAP_DEPTH, exact=True)
-        limits = scale.bottom, scale.top
-        panels = [(TITLES[c], partial(_plots.draw_image, image=data, levels=scale.of(stacked[..., c]), up=up, limits=limits, style=options.style,
-                                      edges=edges)) for c in channels]
         seen = "" if up == "range" else "\nas the radar sees it: the strongest cell along the line of sight"
-        return heat_panels(panels, scale.label, heading + seen, options, (4.6, height))
+        draw = partial(_plots.draw_image, image=data, up=up, edges=edges, ink=options.style.ink)
+        return map_panels(draw, levels, _signal(levels, MAP_DEPTH, options.channels), heading + seen, options, (4.6, height))
 
     def pauli() -> Figure:
         s = data["S"].transpose("range_m", "cross_range_m", "channel").values
@@ -166,7 +152,7 @@ def isar_pictures(file: str, options: Options) -> Pictures:
         x, y = data["cross_range_m"].values, data["range_m"].values
         half = 0.5 * (x[1] - x[0]), 0.5 * (y[1] - y[0])
         ax.imshow(colours, origin="lower", extent=(x[0] - half[0], x[-1] + half[0], y[0] - half[1], y[-1] + half[1]), interpolation="nearest")
-        _plots.draw_image(ax, data, None, "range", (0.0, 1.0), Style(), edges)
+        _plots.draw_image(ax, data, None, "range", edges)
         key = (("#ff0000", "|HH − VV|: even number of bounces"), ("#00ff00", "|HV + VH|: turned"), ("#0000ff", "|HH + VV|: odd number of bounces"))
         handles = [Patch(color=colour, label=text) for colour, text in key]
         ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16 / max(height / 4.6, 0.5)), ncol=1, frameon=False,
@@ -204,7 +190,7 @@ def centres_pictures(file: str, options: Options) -> Pictures:
         figure = canvas(8.2, height + 1.9, options)
         ax = figure.add_subplot()
         if target is not None:
-            _plots.draw_lines(ax, *drawn_lines(target, plane), plane, True)
+            _plots.draw_lines(ax, *drawn_lines(target, plane), plane, _DARK)
         size = matplotlib.rcParams["lines.markersize"] ** 2
         handles = []
         for marker, mechanism in zip(_SYMBOLS, mechanisms):
@@ -219,7 +205,7 @@ def centres_pictures(file: str, options: Options) -> Pictures:
         ax.set_aspect("equal")
         ax.margins(0.05)
         ax.set(xlabel="cross-range (m)", ylabel="range (m)")
-        _plots.radar_arrow(ax, True)
+        _plots.radar_arrow(ax, _DARK)
         if handles:
             figure.colorbar(dots, ax=ax, label="σ of VV or HH, the larger (dBsm)")
             ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.55 / height), ncol=3, frameon=False)
@@ -227,7 +213,7 @@ def centres_pictures(file: str, options: Options) -> Pictures:
                      f"{len(level)} within {IMAGE_DEPTH:g} dB of the strongest")
         return figure
 
-    return {"centres.png": centres, "centres.svg": centres}
+    return twice("centres", centres)
 
 
 def _numbers(at: Floats, numbers: Any, apart: float) -> list[tuple[str, Floats]]:
@@ -244,8 +230,7 @@ def _numbers(at: Floats, numbers: Any, apart: float) -> list[tuple[str, Floats]]
 
 def rows_of_table(file: str, table: Any, s: Any, title: str) -> Rows:
     """Rows with the keys of a table of the program's."""
-    keys = table[list(KEYS)].to_numpy(dtype=float) / np.array([1e9, 1.0, 1.0, 1.0, 1.0])
-    return Rows(file, keys, [True] * 5, [True] * 4, dbsm(s), s, [True] * 4, title=title)
+    return Rows(file, table[list(KEYS)].to_numpy(dtype=float) / UNITS, [True] * 5, [True] * 4, dbsm(s), s, [True] * 4, title=title)
 
 
 def parts_pictures(file: str, options: Options) -> Pictures:
@@ -259,10 +244,8 @@ def parts_pictures(file: str, options: Options) -> Pictures:
         channels = options.channels or [0, 3]
         key, cuts = cuts_of(rows)
         cut = choice_with(cuts, rows.peak_row(channels), 1)[0]
-        total = rows.sigma[cut.rows]
-        scale = scale_of(total[:, channels], options.style, CURVE_DEPTH)
-        scale = scale_of(np.concatenate([total[:, channels].ravel(), *(dbsm(s[cut.rows][:, channels]).ravel() for s in amplitudes.values())]),
-                         options.style, 60.0) if len(amplitudes) > 1 else scale
+        levels = np.stack([rows.sigma, *map(dbsm, amplitudes.values())])[:, cut.rows][..., channels]
+        scale = scale_of(levels, options.style, 60.0 if len(amplitudes) > 1 else CURVE_DEPTH)
         figure = canvas(10.0, 3.7 * len(channels) + 0.6, options)
         for i, channel in enumerate(channels):
             ax = figure.add_subplot(len(channels), 1, i + 1)
@@ -281,7 +264,7 @@ def parts_pictures(file: str, options: Options) -> Pictures:
         centre_heading(figure, f"{rows.title}: by mechanism, which add up with their phases{through}")
         return figure
 
-    return {"parts.png": parts, "parts.svg": parts}
+    return twice("parts", parts)
 
 
 def image_pictures(file: str, options: Options) -> Pictures:
@@ -301,21 +284,22 @@ def image_pictures(file: str, options: Options) -> Pictures:
         level = np.where(empty[..., None], np.nan, dbsm(amplitude))
         norms = np.sort(np.nanmax(level, axis=-1, initial=-np.inf)[~empty])
         top = float(np.ceil(norms[-1 - len(norms) // 1000])) if len(norms) else 0.0  # edges seen end-on outshine all else
-        channels = _signal(level, IMAGE_DEPTH, options.channels)
-        limits, colours = ((-180.0, 180.0), "twilight") if phase else ((top - IMAGE_DEPTH, top), options.style.colour_map)
+        lowest, channels = top - IMAGE_DEPTH, _signal(level, IMAGE_DEPTH, options.channels)
+        colours = {"vmin": -180.0, "vmax": 180.0, "cmap": "twilight"} if phase else {"vmin": lowest, "vmax": top, "cmap": options.style.colour_map}
 
         def panel(ax: Any, c: int) -> Any:
-            shown = np.degrees(np.angle(amplitude[..., c])) if phase else np.maximum(level[..., c], limits[0])
+            shown = np.degrees(np.angle(amplitude[..., c])) if phase else np.maximum(level[..., c], lowest)
             ax.set(xlabel="u (m)", ylabel="v (m)", aspect="equal")
-            return _plots.draw_cells(ax, u, v, np.where(level[..., c] > top - IMAGE_DEPTH, shown, np.nan) if phase else shown, limits, colours)
+            return _plots.draw_cells(ax, u, v, np.where(level[..., c] > lowest, shown, np.nan) if phase else shown, **colours)
 
         row, column, c = map(int, np.unravel_index(int(np.nanargmax(np.nan_to_num(level, nan=-np.inf))), level.shape))
         weak = [TITLES[k] for k in range(4) if k not in channels]
-        below = f"; {', '.join(weak)} below {top - IMAGE_DEPTH:.0f} dBsm" if weak and not options.channels else ""
+        below = f"; {', '.join(weak)} below {lowest:.0f} dBsm" if weak and not options.channels else ""
         strongest = f"\nstrongest {TITLES[c]}: {level[row, column, c]:.1f} dBsm at u = {u[column]:.4g}, v = {v[row]:.4g} m"
         height = float(np.clip(4.4 * len(v) * cell[1] / (len(u) * cell[0]), 1.5, 7.0))
         words = heading + note + ("" if phase else strongest) + below
-        return heat_panels([(TITLES[c], partial(panel, c=c)) for c in channels], label, words, options, (4.4, height), ticks=np.arange(-180, 181, 45) if phase else None)
+        return heat_panels([(TITLES[c], partial(panel, c=c)) for c in channels], label, words, options, (4.4, height),
+                           ticks=np.arange(-180, 181, 45) if phase else None)
 
     width = _WINDOW * 299792458.0 / frequency
     return {f"{stem}.png": lambda: draw(s, "σ of a cell (dBsm)", ""),
@@ -370,7 +354,7 @@ def convergence_pictures(file: str, options: Options) -> Pictures:
         centre_heading(figure, f"{_title_beside(file, options)}: convergence")
         return figure
 
-    return {"converge.png": converge, "converge.svg": converge}
+    return twice("converge", converge)
 
 
 def plain_decades(axis: Any) -> None:
@@ -397,14 +381,14 @@ def comparison_pictures(file: str, options: Options) -> Pictures:
     def compare() -> Figure:
         return comparison_figure(result, reference, float(within[1]) if within else 20.0, options)
 
-    return {"compare.png": compare, "compare.svg": compare}
+    return twice("compare", compare)
 
 
 def _table_named(name: str, beside: str, columns: str, option: str) -> Rows:
     for place in (Path(name), Path(beside).parent / name):
         if place.exists():
             return read_rows(str(place), columns, option)
-    raise InputError(f"{beside} is of {name}, which is not there; compare again, or go where it is")
+    raise InputError(f"{beside} compares {name}, which does not exist here; compare again, or go to its folder")
 
 
 def common_rows(first: Rows, second: Rows) -> tuple[Any, Any]:
@@ -465,24 +449,19 @@ def comparison_figure(result: Rows, reference: Rows, within: float, options: Opt
 
 def _comparison_maps(result: Rows, reference: Rows, difference: Floats, grid: Grid, channels: list[int], span: float, heading: str,
                      options: Options) -> Figure:
-    if not options.channels:
-        channels = [c for c in channels if c in (0, 3) or reference.peak([c]) >= reference.peak(channels) - CROSS_POLAR]
-    levels = np.concatenate([grid.over(rows.sigma[:, c]).ravel() for rows in (result, reference) for c in channels])
-    scale = scale_of(levels, options.style, MAP_DEPTH, exact=True)
+    channels, grey = mapped_channels(reference, channels, options), options.style.printed
+    levels = np.stack([grid.over(result.sigma), grid.over(reference.sigma)])
+    scale = scale_of(levels[..., channels], options.style, MAP_DEPTH, exact=True)
+    apart = grid.over(np.abs(difference) if grey else difference)
     figure = canvas(14.0, 3.6 * len(channels) + 1.0, options)
-    projection = "hammer" if grid.covers_sphere() else None
-    axes = figure.subplots(len(channels), 3, squeeze=False, subplot_kw={"projection": projection})
-    for line, c in enumerate(channels):
-        for column, (rows, name) in enumerate(((result, "result"), (reference, "reference"))):
-            ax = axes[line, column]
-            mesh = _plots.draw_grid(ax, grid, scale.of(grid.over(rows.sigma[:, c])), (scale.bottom, scale.top), options.style.colour_map)
+    axes = figure.subplots(len(channels), 3, squeeze=False, subplot_kw={"projection": "hammer" if grid.covers_sphere() else None})
+    for line, c in zip(axes, channels):
+        for ax, shown in zip(line, scale.of(levels[..., c])):
+            mesh = _plots.draw_grid(ax, grid, shown, **scale.mesh)
+        other = _plots.draw_grid(line[2], grid, apart[..., c], vmin=0.0 if grey else -span, vmax=span, cmap="Greys" if grey else "RdBu_r")
+        for ax, name in zip(line, ("result", "reference", "result − reference")):
             ax.set_title(f"{TITLES[c]} {name}")
-        apart = grid.over(difference[:, c])
-        grey = options.style.printed
-        other = _plots.draw_grid(axes[line, 2], grid, np.abs(apart) if grey else apart, (0.0 if grey else -span, span), "Greys" if grey else "RdBu_r")
-        axes[line, 2].set_title(f"{TITLES[c]} result − reference")
-        for ax in axes[line, 1:]:
-            ax.set_ylabel("")
+            ax.set_ylabel(ax.get_ylabel() if name == "result" else "")
     figure.colorbar(mesh, ax=list(axes[:, :2].ravel()), label=scale.label)
     figure.colorbar(other, ax=list(axes[:, 2]), label="magnitude of the difference (dB)" if grey else "difference (dB)")
     centre_heading(figure, heading + ("" if grid.whole else f"\nrows at {grid.fixed}, through the peak"))
@@ -552,10 +531,7 @@ def sources_pictures(file: str, options: Options) -> Pictures:
         centre_heading(figure, f"{_title_beside(file, options)}\n{what}")
         return figure
 
-    pictures: Pictures = {}
-    for ending in (".png", ".svg"):
-        pictures |= {f"sources{ending}": sources, f"hits{ending}": partial(clouds, *hits, True), f"launch{ending}": partial(clouds, *launch, False)}
-    return pictures
+    return twice("sources", sources) | twice("hits", partial(clouds, *hits, True)) | twice("launch", partial(clouds, *launch, False))
 
 
 def _read_points(file: Path) -> tuple[str, dict[str, Any]]:
@@ -565,7 +541,7 @@ def _read_points(file: Path) -> tuple[str, dict[str, Any]]:
         what, names = re.search(r"comment (.*), lengths in m; model:(.*)", head).groups()  # type: ignore[union-attr]
         rows = np.array(body.split(), dtype=float).reshape(int(re.search(r"vertex (\d+)", head)[1]), -1)  # type: ignore[index]
     except (OSError, ValueError, AttributeError, TypeError) as error:
-        raise InputError(f"{file}: is no cloud of points of raytube sources ({error}); run raytube sources again") from None
+        raise InputError(f"{file}: is not a point cloud from raytube sources ({error}); run raytube sources again") from None
     names_of = dict(zip(names.split()[::2], names.split()[1::2]))
     return what, {names_of[str(int(model))]: rows[rows[:, 3] == model] for model in np.unique(rows[:, 3])} if len(rows) else {}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,8 +12,7 @@ from numpy.typing import NDArray
 from raytube import _arguments, _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._geometry import Outline, drawn_lines
-from raytube._tables import dbsm
+from raytube._tables import Floats, dbsm
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 else:
     _Dataset = xr.Dataset
 
+Outline = tuple[Floats, Floats, NDArray[np.float32]]  # points as wide as the target, its edges, its triangles [m]
+_SILHOUETTE_PIXELS = 1600  # along its longer side
 _WINDOWS = ("rectangular", "hann", "hamming", "taylor", "kaiser")
 _SHAPED = ("taylor", "kaiser")
 _USUAL_SIDELOBE_DB = 35.0
@@ -35,16 +37,16 @@ class RangeProfiles(_Dataset):  # type: ignore[misc]
     """Range profiles of one look (range_m, channel), or of many (look, range_m, channel). Made by `Result.range_profile` and
     `Result.waterfall`.
 
-    ``S`` is p(R) [m], complex; ``sigma_dbsm`` its level; ``error_dbsm`` and ``model_dbsm`` (channel) what numerical error and model
-    uncertainty come to if all of either were at one range. ``range_m`` [m] counts from the origin of the mesh's coordinates along the line of
-    sight, away from the radar; of a bistatic look it is half of the additional path. ``attrs``: ``range_resolution_m`` (3 dB width of a
-    point), ``range_unambiguous_m`` (what is so much farther appears at the same range), ``window``.
+    ``S`` is p(R) [m], complex; ``sigma_dbsm`` its level; ``error_dbsm`` and ``model_dbsm`` (channel) are the levels of the numerical error and
+    of the model uncertainty if all of either were at one range. ``range_m`` [m] is counted from the origin of the mesh's coordinates along the
+    line of sight, away from the radar; for a bistatic look it is half of the additional path. ``attrs``: ``range_resolution_m`` (3 dB width of a
+    point), ``range_unambiguous_m`` (a point farther away by this appears at the same range), ``window``.
     """
 
     __slots__ = ()
 
     def plot(self, channels: Any = ("vv", "hh"), ax: Axes | None = None) -> Axes:
-        """Draws sigma against range, a curve a channel; of many looks a map of the first channel over range and looks.
+        """Draws sigma against range, one curve per channel; for many looks, a map of the first channel over range and looks.
 
         Parameters
         ----------
@@ -65,28 +67,28 @@ class RangeProfiles(_Dataset):  # type: ignore[misc]
 class IsarImage(_Dataset):  # type: ignore[misc]
     """An image in the coordinates range_m, cross_range_m and, in space, height_m. Made by `Result.isar` and `Result.isar_3d`.
 
-    ``S`` is I(x) [m], complex; ``sigma_dbsm`` its level; ``outline`` has the ends of the target's edges and of its silhouette across the
-    image, in its own coordinates [m], where the target is known. ``attrs``: of each axis ``..._direction``, a unit vector in the coordinates of the target (a cell's place is the
-    sum of its coordinates times these), ``..._resolution_m`` and ``..._unambiguous_m``; ``frequency_hz``, ``theta_deg``,
-    ``phi_deg``: the lowest and the highest one of the sweep. Range is away from the radar in the middle of the
-    angles, height upwards as seen from there; with azimuth alone range and cross-range lie in the plane z = 0.
+    ``S`` is I(x) [m], complex; ``sigma_dbsm`` its level; ``outline``, if the target is known, has the ends of its edges and of its silhouette
+    across the image, in the target's coordinates [m]. ``attrs``: for each axis ``..._direction``, a unit vector in the coordinates of the
+    target (a cell's place is the sum of its coordinates times these), ``..._resolution_m`` and ``..._unambiguous_m``; ``frequency_hz``,
+    ``theta_deg``, ``phi_deg``: lowest and highest value of the sweep. Range increases away from the radar at the middle of the angles, height
+    upwards as seen from there; for a sweep over azimuth alone, range and cross-range lie in the plane z = 0.
     """
 
     __slots__ = ()
 
     def plot(self, channel: str | None = None, ax: Axes | None = None,
              target: Target | None = None) -> Axes:
-        """Draws sigma, range upwards and cross-range to the right, and over it edges and silhouette of the target where it is known; of
-        an image in space what the radar sees: height upwards, the strongest cell along the range.
+        """Draws sigma, range upwards and cross-range to the right, and over it edges and silhouette of the target if it is known. An image
+        in space is drawn as the radar sees it: height upwards, the strongest cell along range.
 
         Parameters
         ----------
         channel : str, optional
-            "vv", "vh", "hv" or "hh"; default "vv", or the first one that has numbers.
+            "vv", "vh", "hv" or "hh"; default "vv", or the first channel with values.
         ax : matplotlib Axes, optional
             Default: a new figure.
         target : Target, optional
-            Its edges and silhouette are drawn, for an image that does not know them.
+            Target whose edges and silhouette are drawn, for an image without ``outline``.
 
         Returns
         -------
@@ -101,41 +103,26 @@ class IsarImage(_Dataset):  # type: ignore[misc]
                                 outline_over(self, outline_of(target)) if target is not None else self.get("outline"))
 
 
-def range_profile(result: Result, look: Any, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
-    """See `Result.range_profile`."""
-    index = _arguments.whole(look, "look")
-    looks = result.S.sizes["look"]
-    if index >= looks:
-        raise InputError(f"look {index}: there are {looks} direction pair(s), counted from 0; choose among these")
-    profiles: RangeProfiles = _profiles(result, index, window, sidelobe_db, padding).isel(look=0)
-    return profiles
-
-
-def waterfall(result: Result, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
-    """See `Result.waterfall`."""
-    return _profiles(result, None, window, sidelobe_db, padding)
-
-
 def isar(result: Result, size: Any, pixels: Any, window: Any, sidelobe_db: Any, axes: int) -> IsarImage:
     """See `Result.isar` and `Result.isar_3d`."""
     kind, sidelobes = _window(window, sidelobe_db)
     density = _between(pixels, "pixels", 1.0, _MOST_PIXELS)
     lengths = _size(size, axes)
-    _check_angles(result, axes)
-    outermost = result._outline[0] if result._outline is not None else np.empty((0, 3))
-    found, s = _core.isar(result._stored, outermost.tolist(), lengths, density, kind, sidelobes)
+    both = np.ptp(result._stored.theta_deg) > 0.0 and np.ptp(result._stored.phi_deg) > 0.0
+    if both and axes == 2:
+        raise InputError("isar: the looks vary in theta and in phi, which makes an image in space; use isar_3d, or choose looks of one theta")
+    if not both and axes == 3:
+        raise InputError("isar_3d: an image in space needs looks over theta and phi both; use isar for one of them")
+    found, s = _core.isar(result._stored, _outermost(result), lengths, density, kind, sidelobes)
     names = tuple(_AXES)[:axes]
     coordinates = {name: (name, axis["at_m"], {"units": "m", "long_name": _AXES[name]}) for name, axis in zip(names, found)}
-    stored = result._stored
     attributes: dict[str, Any] = {"title": result.title, "window": _window_text(kind, sidelobes)}
-    for name, values in (("frequency_hz", stored.frequency_hz), ("theta_deg", stored.theta_deg), ("phi_deg", stored.phi_deg)):
+    for name in ("frequency_hz", "theta_deg", "phi_deg"):
+        values = getattr(result._stored, name)
         attributes[name] = (float(values.min()), float(values.max()))
     for name, axis in zip(names, found):
-        plain = name.removesuffix("_m")
-        attributes |= {f"{plain}_direction": axis["direction"], f"{plain}_resolution_m": axis["resolution_m"],
-                       f"{plain}_unambiguous_m": axis["unambiguous_m"]}
-    variables = _levels((*names, "channel"), s, "ISAR image I")
-    image = IsarImage(variables, coordinates | {"channel": list(CHANNELS)}, attributes)
+        attributes |= {f"{name.removesuffix('_m')}_{fact}": axis[fact] for fact in ("direction", "resolution_m", "unambiguous_m")}
+    image = IsarImage(_levels((*names, "channel"), s, "ISAR image I"), coordinates | {"channel": list(CHANNELS)}, attributes)
     if result._outline is not None:
         image["outline"] = outline_over(image, result._outline)
     return image
@@ -149,16 +136,18 @@ def outline_over(image: xr.Dataset, outline: Outline) -> xr.DataArray:
                         attrs={"units": "m", "long_name": "edges of the target, and last its silhouette", "silhouette": last})
 
 
-def _profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
+def range_profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, padding: Any) -> RangeProfiles:
+    """See `Result.range_profile`, and for all looks `Result.waterfall`."""
+    looks = len(result._stored.theta_deg)
+    if look is not None and look >= looks:
+        raise InputError(f"look {look}: there are {looks} direction pair(s), counted from 0; choose among these")
     kind, sidelobes = _window(window, sidelobe_db)
     ranges = _arguments.whole(padding, "padding", _MOST_PADDING)
     if ranges == 0:
         raise InputError(f"padding: give a whole number from 1 to {_MOST_PADDING} (found 0)")
-    outermost = result._outline[0].tolist() if result._outline is not None else []
-    made = _core.range_profiles(result._stored, look, outermost, kind, sidelobes, ranges)
-    angles = {name: result.S.coords[name] for name in result.S.coords if result.S.coords[name].dims == ("look",)}
-    if look is not None:
-        angles = {name: values.isel(look=[look]) for name, values in angles.items()}
+    made = _core.range_profiles(result._stored, look, _outermost(result), kind, sidelobes, ranges)
+    chosen = slice(None) if look is None else [look]
+    angles = {name: values.isel(look=chosen) for name, values in result.S.coords.items() if values.dims == ("look",)}
     coordinates = angles | {"range_m": ("range_m", made["range_m"], {"units": "m", "long_name": "range"}), "channel": list(CHANNELS)}
     variables = _levels(("look", "range_m", "channel"), made["S"], "range profile p")
     for name, values, text in (("error_dbsm", made["error_m"], "numerical error if all of it were at one range"),
@@ -168,7 +157,14 @@ def _profiles(result: Result, look: int | None, window: Any, sidelobe_db: Any, p
                   "range_unambiguous_m": made["unambiguous_m"],
                   "range_direction": "away from the radar along the line of sight, from the origin of the mesh's coordinates; of a bistatic "
                                      "look half of the additional path"}
-    return RangeProfiles(variables, coordinates, attributes)
+    profiles: RangeProfiles = RangeProfiles(variables, coordinates, attributes)
+    if look is not None:
+        profiles = profiles.isel(look=0)
+    return profiles
+
+
+def _outermost(result: Result) -> list[list[float]]:
+    return [] if result._outline is None else list(result._outline[0].tolist())
 
 
 def _levels(dims: tuple[str, ...], s: NDArray[np.complex128], name: str) -> dict[str, Any]:
@@ -201,17 +197,43 @@ def _size(size: Any, axes: int) -> list[float]:
     if size is None:
         return []
     lengths = _arguments.numbers(size, "size")
-    if lengths.shape == ():
-        lengths = np.full(axes, float(lengths))
+    lengths = np.full(axes, lengths) if lengths.shape == () else lengths
     if lengths.shape != (axes,) or not np.all(np.isfinite(lengths) & (lengths > 0.0) & (lengths <= _LONGEST)):
         raise InputError(f"size: give a positive length in metres, or {axes} of them along {', '.join(list(_AXES.values())[:axes])}")
-    return [float(length) for length in lengths]
+    return list(lengths.tolist())
 
 
-def _check_angles(result: Result, axes: int) -> None:
-    both = np.ptp(result._stored.theta_deg) > 0.0 and np.ptp(result._stored.phi_deg) > 0.0
-    if both and axes == 2:
-        raise InputError("isar: the looks vary in theta and in phi, which makes an image in space; use isar_3d, or choose looks of one theta")
-    if not both and axes == 3:
-        raise InputError("isar_3d: an image in space needs looks over theta and phi both; use isar for one of them")
+def target_of_run(run: dict[str, Any]) -> Outline | None:
+    """The target of a run, if its case and its meshes are where the run had them, and still the same."""
+    job = _core.job_of_run(json.dumps(run))
+    return None if job is None else _core.outline(job)
 
+
+def drawn_lines(outline: Outline, plane: Any) -> tuple[Floats, int]:
+    """Edges of a target, and then its silhouette in the plane of two unit vectors: ends of lines (n, 2, 3); how many of it there are."""
+    silhouette = _silhouette(outline[2] @ np.asarray(plane).T) @ np.asarray(plane)
+    return np.concatenate([outline[1], silhouette]), len(silhouette)
+
+
+def _silhouette(triangles: NDArray[Any]) -> Floats:
+    """The border of the union of triangles (n, 3, 2) in a plane: ends of lines (m, 2, 2)."""
+    try:
+        from contourpy import contour_generator
+        from PIL import Image, ImageDraw
+    except ImportError:  # they come with matplotlib, without which nothing is drawn
+        return np.empty((0, 2, 2))
+    low = triangles.reshape(-1, 2).min(axis=0)
+    extent = triangles.reshape(-1, 2).max(axis=0) - low
+    pixel = max(float(extent.max()), 1e-12) / _SILHOUETTE_PIXELS
+    image = Image.new("L", tuple(int(n) + 5 for n in extent / pixel))
+    draw = ImageDraw.Draw(image)
+    for corners in ((triangles - low) / pixel + 2.0).reshape(-1, 6).tolist():
+        draw.polygon(corners, fill=1, outline=1)
+    lines = contour_generator(z=np.asarray(image, dtype=float)).lines(0.5)
+    ends = []
+    for line in lines:  # without the steps of its pixels: means over a few neighbours, some left out
+        closed = np.concatenate([line[-4:-1], line, line[1:4]])
+        smooth = np.lib.stride_tricks.sliding_window_view(closed, 7, axis=0).mean(axis=-1)
+        corners = np.concatenate([smooth[:-1:3], smooth[:1]])
+        ends.append(np.stack([corners[:-1], corners[1:]], axis=1))
+    return np.asarray(np.concatenate([np.empty((0, 2, 2)), *ends]) * pixel + low - 2.0 * pixel)

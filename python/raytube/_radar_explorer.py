@@ -15,6 +15,7 @@ from raytube._arguments import CHANNELS
 from raytube._command import new_files
 from raytube._core import InputError
 from raytube._result import Result
+from raytube._tables import keys_of
 
 # value = sqrt(4 pi) S: |value|^2 is sigma in m^2; time factor and angles are those of raytube.
 _SCALE = np.sqrt(4.0 * np.pi)
@@ -44,13 +45,13 @@ def write_radar_explorer(result: Result, folder: str | os.PathLike[str], name: s
 
 
 def read_radar_explorer(file: str | os.PathLike[str]) -> Result:
-    """Reads what the Radar Explorer Toolkit opens.
+    """Reads a result in the form of the Radar Explorer Toolkit.
 
     Parameters
     ----------
     file : path
-        The metadata file of one channel (``.json``). Those of the other channels are read, too, where they lie beside it under the same
-        name with another channel at its beginning: ``HH_name.json``, ``VV_name.json``.
+        The metadata file of one channel (``.json``). Those of other channels are read as well if they lie beside it under the same name
+        with another channel at its beginning: ``HH_name.json``, ``VV_name.json``.
 
     Returns
     -------
@@ -63,36 +64,28 @@ def read_radar_explorer(file: str | os.PathLike[str]) -> Result:
         If a file is missing or holds something else.
     """
     path = Path(_arguments.path(file, "read_radar_explorer"))
-    first = _read_channel(path)
-    frames = {first[0]: first[1]}
-    for channel in CHANNELS:
-        sibling = _sibling(path, first[0], channel)
-        if channel not in frames and sibling is not None and sibling.is_file():
-            found, frame, _ = _read_channel(sibling)
+    channel, frame, metadata = _read_channel(path)
+    frames = {channel: frame}
+    for other in CHANNELS if path.name[:2].lower() == channel else ():
+        beside = path.with_name(other.upper() + path.name[2:])
+        if other != channel and beside.is_file():
+            found, frame, _ = _read_channel(beside)
             frames[found] = frame
-    return _result_of(frames, first[2], path)
+    return _result_of(frames, metadata, path)
 
 
 def _write_channel(result: Result, folder: Path, name: str, channel: str, geometry: list[Path]) -> Path:
-    upper = channel.upper()
-    frame = _frame(result, channel, upper)
+    import pandas
+
+    hertz, theta, phi, *_ = keys_of(result._stored).T
+    index, upper = pandas.MultiIndex.from_arrays([hertz / 1e9, phi, theta], names=_LEVELS), channel.upper()
+    frame = pandas.DataFrame({upper: _SCALE * result._stored.S.reshape(-1, 4)[:, CHANNELS.index(channel)]}, index).sort_index()
     with new_files(folder) as beside:
         frame.to_hdf(beside / f"{upper}_data_{name}.h5", key=_KEY, mode="w", format="table")
         text = {"solution": name, "monostatic_file": f"{upper}_data_{name}.h5", "model_units": "meter", "frequency_units": "GHz",
                 "model_info": {part.stem: [part.name, [143, 175, 143], 1.0, "meter"] for part in geometry}}
         (beside / f"{upper}_{name}.json").write_text(json.dumps(text, indent=2))
     return folder / f"{upper}_{name}.json"
-
-
-def _frame(result: Result, channel: str, name: str) -> Any:
-    import pandas
-
-    values = _SCALE * result.S.values[:, :, "vh".index(channel[0]), "vh".index(channel[1])]
-    looks, frequencies = values.shape
-    ghz = result._stored.frequency_hz / 1e9
-    index = pandas.MultiIndex.from_arrays(
-        [np.tile(ghz, looks), np.repeat(result._stored.phi_deg, frequencies), np.repeat(result._stored.theta_deg, frequencies)], names=_LEVELS)
-    return pandas.DataFrame({name: values.reshape(-1)}, index=index).sort_index()
 
 
 def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
@@ -120,11 +113,6 @@ def _read_channel(path: Path) -> tuple[str, Any, dict[str, Any]]:
     return channel, frame, metadata
 
 
-def _sibling(path: Path, channel: str, other: str) -> Path | None:
-    name = path.name
-    return path.with_name(other.upper() + name[2:]) if name[:2].lower() == channel else None
-
-
 def _result_of(frames: dict[str, Any], metadata: dict[str, Any], path: Path) -> Result:
     import pandas
 
@@ -134,10 +122,8 @@ def _result_of(frames: dict[str, Any], metadata: dict[str, Any], path: Path) -> 
     looks = np.array([[theta, phi, theta, phi] for phi, theta in directions])
     if len(table) != len(frequencies) * len(looks):
         raise InputError(f"{path}: not every direction is there at every frequency; raytube's results have all of them")
-    s = np.full((len(looks), len(frequencies), 2, 2), complex(np.nan, np.nan))
-    for channel in frames:
-        values = table[channel].to_numpy().reshape(len(frequencies), len(looks))
-        s[:, :, "vh".index(channel[0]), "vh".index(channel[1])] = values.T / _SCALE
+    columns = table.reindex(columns=list(CHANNELS), fill_value=complex(np.nan, np.nan)).to_numpy().reshape(len(frequencies), len(looks), 2, 2)
+    s = np.ascontiguousarray(columns.swapaxes(0, 1)) / _SCALE
     attributes = [("title", str(metadata.get("solution", path.stem))), ("source", "Radar Explorer Toolkit"),
                   ("radar_explorer", json.dumps(metadata))]
     return Result(_core.Stored.from_arrays(frequencies, looks, False, s, attributes))

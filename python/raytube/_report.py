@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -20,10 +21,8 @@ from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._result import Result
 from raytube._rows import LABELS, Rows, cuts_of, grid_of, rows_of_result
-from raytube._tables import amplitudes_of, centres_of, dbsm, mechanism_text, mechanisms_of, read_csv
-
-_Floats = NDArray[np.float64]
-_Rows = NDArray[np.int64]
+from raytube._tables import (Floats, amplitudes_of, centres_of, comments, dbsm, keys_of, largest_of_blocks, mechanism_text, mechanisms_of,
+                             read_csv)
 
 _SCRIPTS = ("data", "scales", "plot", "curves", "heat", "centres", "space", "words", "page")  # in the order in which they run
 _NOTHING = -32768  # hundredths of a decibel: stands for no return at all
@@ -33,9 +32,14 @@ _MOST_RANGES, _MOST_LOOKS, _MOST_ACROSS = 500, 200, 240
 _MOST_ISAR_CELLS, _MOST_PIXELS, _RANGES_A_CELL = 2e6, 4.0, 8  # smooth to the eye
 _MOST_CENTRES = 1000  # more only hide one another
 _LONGEST_LIST = 8
+_READ_ONE_BY_ONE = ("warnings", "model_uncertainty", "skipped", "mechanisms")  # lists of run.json
 _WINDOW, _SIDELOBE_DB = "taylor", 35.0
 _QUANTITIES = ("ghz", "theta", "phi", "rx_theta", "rx_phi")  # by key
 _ALL = list(range(4))  # channels
+_MOST_LOOKS_IN_SPACE, _MOST_CELLS, _MOST_TUBES, _MOST_EDGES = 3, 200, 600, 5000  # ten megabytes hold no more
+_LONG_LOOK = 30.0  # seconds to solve a look without --looks
+_NUMBER = r"([-+.\deE]+)"
+_Corners = NDArray[np.int64]
 
 
 @dataclass
@@ -48,22 +52,20 @@ class Source:
     title: str
     job: _core.Job | None = None  # the case and its target, where both are as the run had them
     mechanisms: dict[str, NDArray[np.complex128]] = field(default_factory=dict)  # S by mechanism [m], (row, channel)
-    incoherent_m2: _Floats | None = None  # sigma without phase [m^2], (row, transmit polarisation)
+    incoherent_m2: Floats | None = None  # sigma without phase [m^2], (row, transmit polarisation)
     notes: list[str] = field(default_factory=list)  # what the report lacks, and why
 
 
 def data_of(file: Path, looks: list[int]) -> dict[str, Any]:
-    """Everything that the page shows: of a result file of raytube's, with the return of these looks in space (none given: those whose images the
-    run has kept, or the strongest). Raises InputError for files that raytube has not written, and for looks that cannot be had."""
-    from raytube import _report_scene
-
+    """Everything that the page shows for a result file of raytube's, with the return of these looks in space (none given: those whose images the
+    run has kept, or the strongest). Raises InputError for files that raytube has not written, and for looks that cannot be shown."""
     source = _source(file)
     rows = rows_of_result(Result(source.stored), str(file))
     data: dict[str, Any] = {"title": source.title, "file": file.name, "sentences": _sentences(source, rows), "sweep": _sweep(source, rows)}
     for name, words, view in (("map", "Map", lambda: _map(rows)), ("profiles", "Range profiles", lambda: _profiles(source)),
                               ("isar", "ISAR image", lambda: _isar(source)), ("centres", "Scattering centres", lambda: _centres(source))):
         data[name] = _or_note(source, words, view)
-    data["scene"] = _report_scene.scene_of(source, looks)
+    data["scene"] = _scene(source, looks)
     return data | {"record": _record(source.run), "notes": source.notes}
 
 
@@ -86,26 +88,21 @@ def packed(values: Any, kind: str = "<f4") -> str:
     return base64.b64encode(np.ascontiguousarray(values, dtype=kind).tobytes()).decode()
 
 
-def packed_levels(levels_db: _Floats) -> str:
+def packed_levels(levels_db: Floats) -> str:
     """Levels in hundredths of a decibel as Int16, which is finer than a page shows: -327.68 stands for -inf and whatever is weaker."""
     hundredths = np.nan_to_num(np.round(100.0 * levels_db), nan=_NOTHING, posinf=32767, neginf=_NOTHING)
     return packed(np.clip(hundredths, _NOTHING, 32767), "<i2")
 
 
-def four_levels(levels_db: _Floats) -> list[str]:
+def four_levels(levels_db: Floats) -> list[str]:
     """The four channels, which are the last axis, each packed."""
     return [packed_levels(levels_db[..., channel]) for channel in range(4)]
 
 
-def largest_of_blocks(values: NDArray[Any], axis: int, most: int) -> tuple[NDArray[Any], int]:
-    """At most so many blocks along an axis, each as large as the largest of its values, and their length."""
-    size = max(1, -(-values.shape[axis] // most))
-    return np.fmax.reduceat(values, np.arange(0, values.shape[axis], size), axis), size
-
-
-def _block_axis(first: float, step: float, count: int, size: int) -> dict[str, Any]:
-    """The middles of the first and the last block."""
-    middle, blocks = first + 0.5 * (size - 1) * step, -(-count // size)
+def _block_axis(at: Floats, size: int) -> dict[str, Any]:
+    """The middles of the first and the last block of values in even steps."""
+    step = float(at[-1] - at[0]) / max(len(at) - 1, 1)
+    middle, blocks = at[0] + 0.5 * (size - 1) * step, -(-len(at) // size)
     return {"first": middle, "last": middle + size * step * (blocks - 1), "count": blocks}
 
 
@@ -119,8 +116,8 @@ def _source(file: Path) -> Source:
     run = _run_json(beside / "run.json") or _run_of_attributes(attributes)
     source = Source(file, stored, run, attributes.get("title", file.name))
     table = attributes.get("rcs_csv_sha256") if file.suffix.lower() == ".nc" else hashlib.sha256(file.read_bytes()).hexdigest()
-    if table and member(run, "rcs_csv_sha256") == table:
-        source.title = member(run, "case", "title") or source.title
+    if table and _member(run, "rcs_csv_sha256") == table:
+        source.title = _member(run, "case", "title") or source.title
         source.job = _core.job_of_run(json.dumps(run))
     source.mechanisms = {name: s.reshape(-1, 4) for name, s in stored.mechanisms.items()}
     source.incoherent_m2 = None if stored.incoherent_m2 is None else stored.incoherent_m2.reshape(-1, 2)
@@ -151,7 +148,7 @@ def _run_of_attributes(attributes: dict[str, str]) -> dict[str, Any] | None:
     return run | ({"version": attributes["raytube_version"]} if "raytube_version" in attributes else {}) or None
 
 
-def member(run: Any, *names: str) -> Any:
+def _member(run: Any, *names: str) -> Any:
     """A member of nested dicts, or None."""
     for name in names:
         run = run.get(name) if isinstance(run, dict) else None
@@ -160,15 +157,14 @@ def member(run: Any, *names: str) -> Any:
 
 def _table(file: Path, stored: _core.Stored) -> Any:
     """A table beside the result, which must have the rows of it."""
-    table, (looks, frequencies) = read_csv(file), stored.S.shape[:2]
-    keys = np.column_stack([np.tile(stored.frequency_hz, looks), np.repeat(stored.theta_deg, frequencies), np.repeat(stored.phi_deg, frequencies)])
+    table, keys = read_csv(file), keys_of(stored)[:, :3]
     if len(table) != len(keys) or not np.array_equal(table.iloc[:, :3], keys):
         raise InputError(f"{file}: does not have the rows of the result beside it; run the case again, or delete the file")
     return table
 
 
-def _or_note(source: Source, name: str, view: Callable[[], dict[str, Any] | None]) -> dict[str, Any] | None:
-    """The view; where the sweep does not allow it, a note that says why."""
+def _or_note(source: Source, name: str, view: Callable[[], Any]) -> Any:
+    """The view; where the run does not allow it, a note that says why."""
     try:
         return view()
     except InputError as error:
@@ -190,15 +186,14 @@ def _sweep(source: Source, rows: Rows) -> dict[str, Any]:
             "mechanisms": [{"label": mechanism_text(name), "sigma": four_levels(dbsm(s[kept]))} for name, s in source.mechanisms.items()]}
 
 
-def shown_rows(rows: Rows, values_a_row: int) -> _Rows:
+def shown_rows(rows: Rows, values_a_row: int) -> NDArray[np.int64]:
     """All rows, or of a sweep too large for a page the strongest and the weakest of every few neighbours along its curves."""
     count, most = len(rows.keys), _MOST_VALUES // values_a_row
     if count <= most:
         return np.arange(count)
     largest, length = np.fmax.reduce(rows.sigma, axis=1), -(-2 * count // most)
     near = [cut.rows[first:first + length] for cut in cuts_of(rows)[1] for first in range(0, len(cut.rows), length)]
-    kept: _Rows = np.unique([some[at] for some in near for at in (np.argmin(largest[some]), np.argmax(largest[some]))])
-    return kept
+    return np.asarray(np.unique([some[at] for some in near for at in (np.argmin(largest[some]), np.argmax(largest[some]))]))
 
 
 def _map(rows: Rows) -> dict[str, Any] | None:
@@ -207,26 +202,19 @@ def _map(rows: Rows) -> dict[str, Any] | None:
         return None
     levels, axes = grid.over(rows.sigma), {}
     for name, key, values, most in (("x", grid.across, grid.x, _MAP_COLUMNS), ("y", grid.up, grid.y, _MAP_ROWS)):
-        step = _even_step(values, key)
+        steps = np.diff(values)
+        if np.any(np.abs(steps - np.median(steps)) > 1e-3 * abs(np.median(steps))):
+            raise InputError(f"{LABELS[key]} is not in even steps; a sweep in even steps gives a map")
         levels, size = largest_of_blocks(levels, 1 if name == "x" else 0, most)
-        axes[name] = _block_axis(values[0], step, len(values), size) | {"quantity": _QUANTITIES[key]}
+        axes[name] = _block_axis(values, size) | {"quantity": _QUANTITIES[key]}
     return axes | {"fixed": grid.fixed, "sigma": four_levels(levels)}
-
-
-def _even_step(values: _Floats, key: int) -> float:
-    steps = np.diff(values)
-    usual = float(np.median(steps))
-    if np.any(np.abs(steps - usual) > 1e-3 * abs(usual)):
-        raise InputError(f"{LABELS[key]} is not in even steps; a sweep in even steps gives a map")
-    return float(values[-1] - values[0]) / (len(values) - 1)
 
 
 # --- range profiles, the ISAR image, centres ---
 
 
 def _outermost(source: Source) -> list[list[float]]:
-    points: list[list[float]] = _core.outline(source.job)[0].tolist() if source.job is not None else []
-    return points
+    return list(_core.outline(source.job)[0].tolist()) if source.job is not None else []
 
 
 def _profiles(source: Source) -> dict[str, Any]:
@@ -234,7 +222,7 @@ def _profiles(source: Source) -> dict[str, Any]:
     at, (amplitude, size) = made["range_m"], largest_of_blocks(np.abs(made["S"]), 0, _MOST_LOOKS)
     amplitude, ranges = largest_of_blocks(amplitude, 1, _MOST_RANGES)
     model = dbsm(largest_of_blocks(np.fmax(made["model_m"][:, 0, 0], made["model_m"][:, 0, 3]), 0, _MOST_LOOKS)[0])
-    return {"range": _block_axis(at[0], at[1] - at[0], len(at), ranges), "looks_a_block": size, "blocks": len(amplitude),
+    return {"range": _block_axis(at, ranges), "looks_a_block": size, "blocks": len(amplitude),
             "resolution": made["resolution_m"], "unambiguous": made["unambiguous_m"], "window": _WINDOW.capitalize(),
             "model": [level if np.isfinite(level) else None for level in model.tolist()], "sigma": four_levels(dbsm(amplitude))}
 
@@ -249,9 +237,8 @@ def _isar(source: Source) -> dict[str, Any]:
     amplitude = np.abs(s) if len(axes) == 2 else np.fmax.reduce(np.abs(s), axis=2)
     data: dict[str, Any] = {"in_space": len(axes) > 2, "window": _WINDOW.capitalize()}
     for i, name in enumerate(("range", "cross")):
-        at = axes[i]["at_m"]
         amplitude, size = largest_of_blocks(amplitude, i, _MOST_ACROSS)
-        data[name] = _block_axis(at[0], at[1] - at[0] if len(at) > 1 else 0.0, len(at), size)
+        data[name] = _block_axis(axes[i]["at_m"], size)
         data[f"{name}_axis"], data[f"{name}_resolution"] = axes[i]["direction"], axes[i]["resolution_m"]
     return data | {"sigma": four_levels(dbsm(amplitude))}
 
@@ -285,6 +272,180 @@ def _doubt(found: NDArray[np.complex128], s: NDArray[np.complex128]) -> str:
             f"{dbsm(s[channel]):.2f} dBsm: centres.csv may belong to other settings, or to another target.")
 
 
+# --- the target in space, in the coordinates of its mesh [m] ---
+
+
+def _scene(source: Source, asked: list[int]) -> dict[str, Any] | None:
+    """Facets and edges of the target, and of some looks the return of each: looks that are asked for, else those whose images the run has
+    kept, else the strongest if it is quick to solve. What cannot be shown is noted in `source`. Raises InputError for looks that are asked
+    for and cannot be had."""
+    looks = source.stored.S.shape[0]
+    if len(asked) > _MOST_LOOKS_IN_SPACE:
+        raise InputError(f"--looks: a report shows {_MOST_LOOKS_IN_SPACE} at most; leave out {len(asked) - _MOST_LOOKS_IN_SPACE}")
+    if beyond := next((look for look in asked if look >= looks), 0):
+        raise InputError(f"--looks {beyond}: {source.file} has {looks} look{'s' if looks > 1 else ''}, counted from 0; choose among these")
+    target = None if source.job is None else _core.traced_target(source.job)
+    vertices, triangles = (None, None) if target is None else (target["vertices"], target["triangles"].astype(np.int64))
+    shown: list[dict[str, Any]] = []
+    if asked:
+        _require_target(source, target)
+        shown = [_solved(source, target, look) for look in asked]
+    else:
+        for kept in _kept(source):
+            if triangles is None:
+                vertices, triangles = kept["vertices"], kept["corners"]
+            if len(kept["triangles"]) == len(triangles):
+                shown.append(kept | (_or_note(source, "Tubes", partial(_tubes, source, target, kept["look"])) or {}))
+        if not shown and target is not None:
+            shown = _or_note(source, "Colours of the target", partial(_strongest, source, target)) or []
+    if vertices is None or triangles is None:
+        source.notes.append("The target in space: the case or the mesh is not where the run had it, or has changed.")
+        return None
+    points, corners, shown_as = shown_mesh(vertices, triangles, 40_000 if len(shown) > 1 else 60_000)
+    lines = _core.outline(source.job)[1] if source.job is not None else np.empty((0, 2, 3))
+    return {"vertices": packed(points), "triangles": packed(corners, "<u4"), "traced": len(triangles), "shown": len(corners), "lines": packed(lines),
+            "looks": [_look_data(look, shown_as, len(corners)) for look in shown]}
+
+
+def _require_target(source: Source, target: dict[str, Any] | None) -> None:
+    if target is None:
+        raise InputError(f"--looks: {source.file} has no target: its case or mesh is not where the run had it, or has changed")
+    if (target["looks"], target["frequencies"]) != source.stored.S.shape[:2]:
+        raise InputError(f"{_member(source.run, 'case_file')}: has other looks or frequencies than {source.file}; run it again")
+
+
+def _tubes(source: Source, target: dict[str, Any] | None, look: int) -> dict[str, Any]:
+    if source.job is None:
+        return {}
+    _require_target(source, target)
+    return {"tubes": _core.tubes(source.job, look, _MOST_TUBES)}
+
+
+def _solved(source: Source, target: dict[str, Any] | None, look: int) -> dict[str, Any]:
+    assert source.job is not None
+    return _core.look_in_space(source.job, look, _MOST_CELLS) | {"look": look} | _tubes(source, target, look)
+
+
+def _strongest(source: Source, target: dict[str, Any]) -> list[dict[str, Any]]:
+    looks, frequencies = source.stored.S.shape[:2]
+    if (_member(source.run, "time", "solve_s") or 0.0) / looks > _LONG_LOOK:
+        raise InputError("a look takes long to solve; raytube report --looks I computes one")
+    _require_target(source, target)
+    amplitude = np.abs(source.stored.S[:, frequencies // 2]).reshape(looks, 4)
+    return [_solved(source, target, int(np.argmax(np.nan_to_num(amplitude.max(axis=1)))))]
+
+
+# --- images that the run has kept ---
+
+
+def _kept(source: Source) -> list[dict[str, Any]]:
+    looks = _member(source.run, "case", "output", "image_look")
+    looks = [] if looks is None else looks if isinstance(looks, list) else [looks]
+    if len(looks) > _MOST_LOOKS_IN_SPACE:
+        source.notes.append(f"Looks in space: the first {_MOST_LOOKS_IN_SPACE} of {len(looks)} images; raytube report --looks chooses others.")
+    found = []
+    for look in looks[:_MOST_LOOKS_IN_SPACE]:
+        stem = source.file.absolute().parent / (f"image_{look}" if len(looks) > 1 else "image")
+        mesh, cells = stem.with_name(stem.name + "_mesh.vtu"), stem.with_name(stem.name + ".csv")
+        if look < source.stored.S.shape[0] and mesh.exists():
+            hertz = source.stored.frequency_hz[len(source.stored.frequency_hz) // 2]
+            found.append({"look": look, "frequency_hz": hertz} | _read_mesh(mesh) | (_read_cells(cells) if cells.exists() else {}))
+    return found
+
+
+def _read_mesh(file: Path) -> dict[str, Any]:
+    """Vertices and corners of the facets, their amplitudes, and the ends and amplitudes of edges."""
+    arrays = {name: np.array(text.split(), dtype=float) for name, text in
+              re.findall(r'<DataArray [^>]*Name="(\w+)"[^>]*>([^<]*)<', file.read_text(encoding="utf-8"))}
+    try:
+        points, corners, ends = arrays["points"].reshape(-1, 3), arrays["connectivity"].astype(int), arrays["offsets"].astype(int)
+        s = np.column_stack([arrays[f"re_{c}"] + 1j * arrays[f"im_{c}"] for c in CHANNELS])
+        sizes = np.diff(ends, prepend=0)
+        facets = np.count_nonzero(sizes == 3)
+        if len(s) != len(sizes) or not np.all(sizes[:facets] == 3) or not np.all(sizes[facets:] == 2):
+            raise ValueError
+        return {"vertices": points[:len(points) - 2 * (len(sizes) - facets)], "corners": corners[:3 * facets].reshape(-1, 3), "triangles": s[:facets],
+                "edge_ends": points[corners[3 * facets:]].reshape(-1, 2, 3), "edges": s[facets:]}
+    except (KeyError, ValueError, IndexError):
+        raise InputError(f"{file}: is not the image of a look that raytube run writes; run the case again") from None
+
+
+def _read_cells(file: Path) -> dict[str, Any]:
+    """The cells of an image, as large as a page shows them."""
+    table, head = read_csv(file), " ".join(comments(file))
+    vector = rf"\({_NUMBER}, {_NUMBER}, {_NUMBER}\)"
+    lattice = re.search(rf"(\d+) columns of {_NUMBER} m along u = {vector}, (\d+) rows of {_NUMBER} m along v = {vector}", head)
+    try:
+        facts = [float(text) for text in lattice.groups()]  # type: ignore[union-attr]
+        columns, count = int(facts[0]), int(facts[5])
+        cells = amplitudes_of(table).reshape(count, columns, 4)
+    except (AttributeError, KeyError, ValueError):
+        raise InputError(f"{file}: is not the image of a look that raytube run writes; run the case again") from None
+    u, v, cell = np.array(facts[2:5]), np.array(facts[7:10]), np.array([facts[1], facts[6]])
+    side = -(-max(columns, count) // _MOST_CELLS)
+    for axis in (0, 1):
+        cells = np.add.reduceat(cells, np.arange(0, cells.shape[axis], side), axis)
+    corner = table.iloc[0, 2:4].to_numpy(dtype=float) - 0.5 * cell + _shift_of_perspective(head, u, v)
+    return {"cells": cells, "u": u.tolist(), "v": v.tolist(), "corner": corner.tolist(), "cell": (side * cell).tolist()}
+
+
+def _shift_of_perspective(head: str, u: Floats, v: Floats) -> Floats:
+    """From where a finite distance shows the middle of the target to where parallel rays would."""
+    found = re.search(rf"Perspective from {_NUMBER} m before the middle of the target, \({_NUMBER}, {_NUMBER}, {_NUMBER}\)", head)
+    if found is None:
+        return np.zeros(2)
+    distance, *middle = (float(text) for text in found.groups())
+    along = np.array([u @ middle, v @ middle])
+    return np.asarray(along - along / (1.0 + (np.cross(u, v) @ middle) / distance))
+
+
+# --- made small ---
+
+
+def _look_data(look: dict[str, Any], shown_as: _Corners, facets: int) -> dict[str, Any]:
+    largest = np.zeros((facets, 4))
+    np.maximum.at(largest, shown_as, np.abs(look["triangles"]))
+    strongest = np.argsort(-np.abs(look["edges"]).max(axis=1, initial=0.0), kind="stable")[:_MOST_EDGES]
+    ends, bounces, met = look.get("tubes", (np.empty(0), np.empty(0), 0))
+    cells = look.get("cells")
+    return {"look": look["look"], "ghz": look["frequency_hz"] / 1e9, "sigma": four_levels(dbsm(largest)),
+            "edges": {"ends": packed(look["edge_ends"][strongest]), "sigma": four_levels(dbsm(look["edges"][strongest]))},
+            "tubes": {"ends": packed(ends), "bounces": packed(bounces, "<u4"), "paths": met},
+            "cells": None if cells is None or not cells.size else
+            {name: look[name] for name in ("u", "v", "corner", "cell")}
+            | {"columns": cells.shape[1], "rows": cells.shape[0], "sigma": four_levels(dbsm(cells))}}
+
+
+def shown_mesh(vertices: Floats, triangles: _Corners, most: int) -> tuple[Floats, _Corners, _Corners]:
+    """A mesh of at most this many triangles: itself, or else one whose vertices are the means of those in each cell of a grid, the finest that is
+    coarse enough; and for each triangle given that which stands for it. (Rossignac and Borrel, 1993: vertex clustering.)"""
+    if len(triangles) <= most:
+        return vertices, triangles, np.arange(len(triangles))
+    a, b, c = (vertices[triangles[:, i]] for i in range(3))
+    area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+    cell = 0.25 * np.sqrt(area / most)
+    while len((coarse := _clustered(vertices, triangles, cell))[1]) > most:
+        cell *= 1.15
+    return coarse
+
+
+def _clustered(vertices: Floats, triangles: _Corners, cell: float) -> tuple[Floats, _Corners, _Corners]:
+    _, cluster = np.unique(np.floor(vertices / cell).astype(np.int64), axis=0, return_inverse=True)
+    cluster = cluster.reshape(-1)
+    count = np.bincount(cluster)
+    means = np.column_stack([np.bincount(cluster, vertices[:, i]) / count for i in range(3)])
+    moved = cluster[triangles]
+    corners = np.sort(moved, axis=1)
+    flat = (corners[:, 0] == corners[:, 1]) | (corners[:, 1] == corners[:, 2])
+    _, first, number = np.unique(corners[~flat], axis=0, return_index=True, return_inverse=True)
+    shown_as = np.full(len(triangles), -1)
+    shown_as[~flat] = number.reshape(-1)
+    at_corner = np.full(len(means), -1)  # for what became a line: a triangle at one of its corners
+    at_corner[moved[~flat]] = shown_as[~flat, None]
+    shown_as[flat] = at_corner[moved[flat]].max(axis=1, initial=-1)
+    return means, moved[~flat][first], np.maximum(shown_as, 0)  # 0: a body smaller than a cell
+
+
 # --- words ---
 
 
@@ -299,7 +460,7 @@ def _sentences(source: Source, rows: Rows) -> dict[str, str]:
 
 
 def _largest_cause(run: dict[str, Any] | None) -> str:
-    causes = member(run, "model_uncertainty")
+    causes = _member(run, "model_uncertainty")
     if not causes or not {"what", "share", "remedy"} <= set(causes[0]):
         return ""
     remedy = causes[0]["remedy"]
@@ -309,21 +470,16 @@ def _largest_cause(run: dict[str, Any] | None) -> str:
 
 def _record(run: dict[str, Any] | None) -> dict[str, Any] | None:
     """What run.json says; long lists of numbers as their extent, but for those that are read one by one."""
-    if run is None:
-        return None
-    record = {name: _shortened(run[name]) for name in ("version", "case", "mesh", "threads", "counts", "time") if name in run}
-    record |= {name: run[name] for name in ("warnings", "model_uncertainty") if name in run}
-    for name in ("skipped", "mechanisms"):
-        if member(run, "counts", name) is not None:
-            record["counts"][name] = run["counts"][name]
-    return record
+    kept = ("version", "case", "mesh", "threads", "counts", "time", "warnings", "model_uncertainty")
+    return None if run is None else {name: _shortened(name, run[name]) for name in kept if name in run}
 
 
-def _shortened(value: Any) -> Any:
+def _shortened(name: str, value: Any) -> Any:
     if isinstance(value, dict):
-        return {name: _shortened(each) for name, each in value.items()}
-    if not isinstance(value, list) or len(value) <= _LONGEST_LIST:
-        return [_shortened(each) for each in value] if isinstance(value, list) else value
-    if all(isinstance(each, (int, float)) for each in value):
-        return f"{len(value)} values from {min(value):g} to {max(value):g}"
-    return f"a list of {len(value)}"
+        return {key: _shortened(key, each) for key, each in value.items()}
+    if not isinstance(value, list) or name in _READ_ONE_BY_ONE:
+        return value
+    if len(value) <= _LONGEST_LIST:
+        return [_shortened("", each) for each in value]
+    numbers = all(isinstance(each, (int, float)) for each in value)
+    return f"{len(value)} values from {min(value):g} to {max(value):g}" if numbers else f"a list of {len(value)}"

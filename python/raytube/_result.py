@@ -1,4 +1,4 @@
-"""What comes out of a solve."""
+"""The result of a solve."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import os
 import tempfile
 import threading
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,24 +16,23 @@ from numpy.typing import NDArray
 from raytube import _arguments, _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
+from raytube._tables import KEYS, keys_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
-    from pathlib import Path
 
     import pandas
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from raytube._geometry import Outline
-    from raytube._products import IsarImage, RangeProfiles
+    from raytube._products import IsarImage, Outline, RangeProfiles
 
 _Choice = str | tuple[str, ...] | list[str]
 _S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
 
 
 class RaytubeWarning(UserWarning):
-    """What a result may not be meant to be: of mesh, case or rows, in a sentence with the remedy."""
+    """Something in the mesh, the case or the result that may be unintended: a sentence with the remedy."""
 
 
 class Result:
@@ -57,22 +57,22 @@ class Result:
 
         ``E_p(scattered) = S_pq E_q(incident) exp(-j k r) / r``; at a finite range apparent ones.
         """
-        return self._array(self._stored.S, ("receive", "transmit"), _S_UNITS)
+        return self._array(self._stored.S, _S_UNITS)
 
     @cached_property
     def sigma_dbsm(self) -> xr.DataArray:
         """Radar cross-section [dBsm], dimensions (look, frequency, channel); -inf for zero. Channel ``vh`` is receive V, transmit H."""
-        return self._channels(self._stored.sigma_dbsm, {"units": "dBsm", "long_name": "radar cross-section"})
+        return self._array(self._stored.sigma_dbsm, {"units": "dBsm", "long_name": "radar cross-section"}, "channel")
 
     @cached_property
     def error_db(self) -> xr.DataArray:
         """Estimated numerical error [dB], dimensions (look, frequency, channel): ``20 log10(1 + error / max(|S_pq|, S_max / 100))``."""
-        return self._channels(self._stored.error_db, {"units": "dB", "long_name": "estimated numerical error"})
+        return self._array(self._stored.error_db, {"units": "dB", "long_name": "estimated numerical error"}, "channel")
 
     @cached_property
     def model_db(self) -> xr.DataArray:
-        """Model uncertainty [dB], dimensions (look, frequency, channel): what asymptotic physics may leave out, as `error_db`."""
-        return self._channels(self._stored.model_db, {"units": "dB", "long_name": "model uncertainty"})
+        """Model uncertainty [dB], dimensions (look, frequency, channel): what asymptotic physics may leave out, in the form of `error_db`."""
+        return self._array(self._stored.model_db, {"units": "dB", "long_name": "model uncertainty"}, "channel")
 
     @property
     def mechanisms(self) -> xr.Dataset:
@@ -89,14 +89,14 @@ class Result:
             raise InputError("mechanisms: the result does not keep its mechanisms apart; solve with keep_mechanisms=True")
         import xarray as xr
 
-        return xr.Dataset({name: self._array(values, ("receive", "transmit"), _S_UNITS) for name, values in mechanisms.items()})
+        return xr.Dataset({name: self._array(values, _S_UNITS) for name, values in mechanisms.items()})
 
     @property
     def incoherent_m2(self) -> xr.DataArray | None:
         """Radar cross-section that rough surfaces scatter incoherently [m^2], by transmit polarisation, both receive polarisations
-        together; to be added as power. None where no surface is rough."""
+        together; to be added as power. None if no surface is rough."""
         values = self._stored.incoherent_m2
-        return None if values is None else self._array(values, ("transmit",), {"units": "m2"})
+        return None if values is None else self._array(values, {"units": "m2"}, "transmit")
 
     @property
     def title(self) -> str:
@@ -105,38 +105,33 @@ class Result:
 
     @property
     def attributes(self) -> dict[str, str]:
-        """Texts that the result carries: title, version, resolved case, hashes."""
+        """Texts stored with the result: title, version, resolved case, hashes."""
         return self._stored.attributes
 
     @property
     def case(self) -> dict[str, Any]:
-        """The case as it was understood, every default filled in; empty where it is not known."""
-        case: dict[str, Any] = self._json("case", {})
-        return case
+        """The resolved case, with every default filled in; empty if it is not known."""
+        return dict(self._json("case") or {})
 
     @property
     def counts(self) -> dict[str, Any]:
-        """What was counted in the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty where they are not known."""
-        counts: dict[str, Any] = self._json("counts", {})
-        return counts
+        """Counts from the solve: rays, tubes, hits, lost rays and more, as in ``run.json``; empty if they are not known."""
+        return dict(self._json("counts") or {})
 
     @property
     def skipped(self) -> list[dict[str, Any]]:
         """What was left out, how often, and why."""
-        skipped: list[dict[str, Any]] = self.counts.get("skipped", [])
-        return skipped
+        return list(self.counts.get("skipped", []))
 
     @property
     def warnings(self) -> list[str]:
-        """Sentences about what may not be meant."""
-        sentences: list[str] = self._json("warnings", [])
-        return sentences
+        """Sentences about what may be unintended, with remedies."""
+        return list(self._json("warnings") or [])
 
     @property
     def model_parts(self) -> list[dict[str, Any]]:
-        """What the model uncertainty is made of, the largest share first, with remedies."""
-        parts: list[dict[str, Any]] = self._json("model_uncertainty", [])
-        return parts
+        """Contributions to the model uncertainty, the largest share first, with remedies."""
+        return list(self._json("model_uncertainty") or [])
 
     def to_xarray(self) -> xr.Dataset:
         """The result as a dataset.
@@ -163,20 +158,15 @@ class Result:
         """
         import pandas
 
-        looks, frequencies = self.S.shape[:2]
-        columns: dict[str, NDArray[Any]] = {"freq_hz": np.tile(self._stored.frequency_hz, looks)}
-        for name in ("theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg"):
-            columns[name] = np.repeat(getattr(self._stored, name), frequencies)
-        for i, channel in enumerate(CHANNELS):
-            columns[f"S_{channel}"] = self._stored.S.reshape(-1, 4)[:, i]
-        for name, values in (("sigma_{}_dbsm", self._stored.sigma_dbsm), ("err_{}_db", self._stored.error_db),
-                             ("model_{}_db", self._stored.model_db)):
-            for i, channel in enumerate(CHANNELS):
-                columns[name.format(channel)] = values.reshape(-1, 4)[:, i]
+        stored = self._stored
+        columns: dict[str, NDArray[Any]] = dict(zip(KEYS, keys_of(stored).T))
+        for name, values in (("S_{}", stored.S), ("sigma_{}_dbsm", stored.sigma_dbsm), ("err_{}_db", stored.error_db),
+                             ("model_{}_db", stored.model_db)):
+            columns |= zip(map(name.format, CHANNELS), values.reshape(-1, 4).T)
         return pandas.DataFrame(columns)
 
     def plot(self, channels: _Choice = ("vv", "hh"), ax: Axes | None = None) -> Axes:
-        """Draws sigma against what is swept: a curve a channel, or a map of the first one over looks and frequencies, or over two angles.
+        """Draws sigma over the swept quantity: one curve per channel, or a map of the first one over looks and frequencies or over two angles.
 
         Parameters
         ----------
@@ -228,9 +218,9 @@ class Result:
         window : {"taylor", "rectangular", "hann", "hamming", "kaiser"}
             Weights w of the frequencies.
         sidelobe_db : float
-            Of "taylor" and "kaiser": side lobes so far below the peak, 15 to 100 dB.
+            For "taylor" and "kaiser": level of the side lobes below the peak, 15 to 100 dB.
         padding : int
-            Ranges to a resolution cell c/2B, at least; 1 to 64.
+            Least number of ranges per resolution cell c/2B; 1 to 64.
 
         Returns
         -------
@@ -240,11 +230,11 @@ class Result:
         Raises
         ------
         InputError
-            For one frequency, or frequencies in uneven steps; and where the target is known, for steps too coarse for its depth.
+            For a single frequency or frequencies in uneven steps; if the target is known, also for steps too coarse for its depth.
 
         Notes
         -----
-        The same numbers as those of ``raytube profile`` [1]_.
+        The numbers are those of ``raytube profile`` [1]_.
 
         References
         ----------
@@ -252,7 +242,7 @@ class Result:
         """
         from raytube import _products
 
-        return _products.range_profile(self, look, window, sidelobe_db, padding)
+        return _products.range_profiles(self, _arguments.whole(look, "look"), window, sidelobe_db, padding)
 
     def waterfall(self, *, window: str = "taylor", sidelobe_db: float = 35.0, padding: int = 4) -> RangeProfiles:
         """The range profiles of all looks.
@@ -274,22 +264,22 @@ class Result:
         """
         from raytube import _products
 
-        return _products.waterfall(self, window, sidelobe_db, padding)
+        return _products.range_profiles(self, None, window, sidelobe_db, padding)
 
     def isar(self, size: Any = None, pixels: float = 4.0, *, window: str = "taylor", sidelobe_db: float = 35.0) -> IsarImage:
-        """The image of a sweep over frequency and one angle, in a plane: where on the target its return comes from.
+        """The image of a sweep over frequency and one angle, in a plane: where on the target the return comes from.
 
         ``I(x) = sum of w S exp(-j K . x) / sum of w``, ``K = 2 k s``, over frequencies and looks; a point of sigma that all looks see alike
-        reads sigma. Exact to 1e-7 of the sum of abs(S) however wide the angle is, by gridding [2]_; at a finite range with the paths of
-        every cell.
+        reads sigma. Exact to 1e-7 of the sum of abs(S) for any width of the angle, by gridding [2]_; at a finite range, with the paths of
+        each cell.
 
         Parameters
         ----------
         size : float or sequence of float, optional
-            Along range and cross-range about the origin of the mesh's coordinates [m]. Default: as wide as the target, for what `solve`
-            and `run` made; else all that is unambiguous.
+            Extent along range and cross-range about the origin of the mesh's coordinates [m]. Default: that of the target, for results of
+            `solve` and `run`; else all that is unambiguous.
         pixels : float
-            Cells of the image to a resolution cell; 1 to 32.
+            Cells of the image per resolution cell; 1 to 32.
         window, sidelobe_db
             As in `range_profile`, over frequencies and angles.
 
@@ -301,12 +291,12 @@ class Result:
         Raises
         ------
         InputError
-            For bistatic looks, one frequency or look, uneven steps, looks over two angles; and where the target is known, for steps too
+            For bistatic looks, a single frequency or look, uneven steps, looks over two angles; if the target is known, also for steps too
             coarse for its width.
 
         Notes
         -----
-        The same numbers as those of ``raytube isar`` [1]_.
+        The numbers are those of ``raytube isar`` [1]_.
 
         References
         ----------
@@ -323,26 +313,26 @@ class Result:
         Parameters
         ----------
         size : float or sequence of float, optional
-            Along range, cross-range and height [m], as in `isar`.
+            Extent along range, cross-range and height [m], as in `isar`.
         pixels, window, sidelobe_db
             As in `isar`.
 
         Returns
         -------
         xarray.Dataset
-            An `IsarImage` with the dimension ``height_m`` behind ``cross_range_m``.
+            An `IsarImage` with the dimension ``height_m`` after ``cross_range_m``.
 
         Raises
         ------
         InputError
-            As `isar` does, and for looks over one angle alone.
+            As `isar` does, and for looks over only one angle.
         """
         from raytube import _products
 
         return _products.isar(self, size, pixels, window, sidelobe_db, 3)
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes the result to a file, which appears when it is complete.
+        """Writes the result to a file, which appears once it is complete.
 
         Parameters
         ----------
@@ -352,7 +342,7 @@ class Result:
         Raises
         ------
         InputError
-            For another suffix, and for a place where no file can be.
+            For another suffix, or a place where no file can be written.
         """
         file = _arguments.path(file, "save")
         kind = os.path.splitext(file)[1].lower()
@@ -375,11 +365,11 @@ class Result:
         Parameters
         ----------
         folder : path
-            Is made if it is not there.
+            Created if it does not exist.
         name : str, optional
-            Of the solution; default the title.
+            Name of the solution; default the title.
         channels : str or tuple of str, optional
-            Among "vv", "vh", "hv", "hh"; default all that the result has numbers of.
+            Among "vv", "vh", "hv", "hh"; default all channels with values.
         geometry : path or sequence of paths, optional
             OBJ files in metres to be shown with the result, named in the metadata; they are not copied.
 
@@ -395,22 +385,18 @@ class Result:
         """
         from raytube._radar_explorer import write_radar_explorer
 
-        return write_radar_explorer(self, folder, name, self._known(channels), geometry)
+        known = tuple(channel for channel, s in zip(CHANNELS, self._stored.S.reshape(-1, 4).T) if not np.all(np.isnan(s)))
+        chosen = known if channels is None else _arguments.channels(channels, "to_radar_explorer")
+        return write_radar_explorer(self, folder, name, chosen, geometry)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Result:
-        return self  # nothing of it changes
+        return self  # it never changes
 
     def __reduce__(self) -> tuple[Any, ...]:
         with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "result.nc")
-            self._stored.write_netcdf(file)
-            with open(file, "rb") as stream:
-                return _unpickled, (stream.read(), self._outline)
-
-    def _known(self, channels: _Choice | None) -> tuple[str, ...]:
-        if channels is not None:
-            return _arguments.channels(channels, "to_radar_explorer")
-        return tuple(channel for i, channel in enumerate(CHANNELS) if not np.all(np.isnan(self._stored.S.reshape(-1, 4)[:, i])))
+            file = Path(folder, "result.nc")
+            self._stored.write_netcdf(str(file))
+            return _unpickled, (file.read_bytes(), self._outline)
 
     def __repr__(self) -> str:
         looks, frequencies = self.S.shape[:2]
@@ -418,8 +404,10 @@ class Result:
         ghz = self._stored.frequency_hz / 1e9
         span = f"{ghz[0]:g} GHz" if frequencies == 1 else f"{frequencies} frequencies from {ghz[0]:g} to {ghz[-1]:g} GHz"
         lines = [f"Result: {self.title}" if self.title else "Result", f"  {looks} {kind} look{'s' if looks > 1 else ''}, {span}", f"  peak {self._peak_text()}"]
+        sigma = self._stored.sigma_dbsm
+        near_peak = np.isfinite(sigma) & (sigma >= np.max(sigma, initial=-np.inf, where=np.isfinite(sigma)) - 20.0)
         for name, values in (("numerical error", self._stored.error_db), ("model uncertainty", self._stored.model_db)):
-            near = values[self._near_peak()]
+            near = values[near_peak]
             if near.size and not np.all(np.isnan(near)):
                 lines.append(f"  {name} within 20 dB of the peak: median {np.nanmedian(near):.2g} dB, at most {np.nanmax(near):.2g} dB")
         lines += [f"  warning: {sentence}" for sentence in self.warnings]
@@ -430,12 +418,6 @@ class Result:
 
         return f"<pre style=\"white-space: pre-wrap\">{html.escape(repr(self))}</pre>{self.to_xarray()._repr_html_()}"
 
-    def _near_peak(self) -> NDArray[np.bool_]:
-        sigma = self._stored.sigma_dbsm
-        peak = np.max(sigma[np.isfinite(sigma)], initial=-np.inf)
-        near: NDArray[np.bool_] = (sigma >= peak - 20.0) & np.isfinite(sigma)
-        return near
-
     def _peak_text(self) -> str:
         sigma = self.sigma_dbsm.values
         if not np.any(np.isfinite(sigma)):
@@ -444,53 +426,43 @@ class Result:
         place = f"theta {self._stored.theta_deg[look]:g} deg, phi {self._stored.phi_deg[look]:g} deg"
         return f"{sigma[look, frequency, channel]:.2f} dBsm in {CHANNELS[channel]} at {self._stored.frequency_hz[frequency] / 1e9:g} GHz, {place}"
 
-    def _json(self, name: str, otherwise: Any) -> Any:
-        text = self.attributes.get(name)
-        return json.loads(text) if text else otherwise
+    def _json(self, name: str) -> Any:
+        return json.loads(self.attributes.get(name) or "null")
 
     @cached_property
     def _coordinates(self) -> dict[str, Any]:
         stored = self._stored
-        coordinates: dict[str, Any] = {"frequency": ("frequency", stored.frequency_hz, {"units": "Hz", "long_name": "frequency"})}
-        names = {"theta_deg": "polar angle to the transmitter", "phi_deg": "azimuth to the transmitter"}
+        of_looks = {"theta_deg": ("degree", "polar angle to the transmitter"), "phi_deg": ("degree", "azimuth to the transmitter")}
         if stored.bistatic:
-            names |= {"rx_theta_deg": "polar angle to the receiver", "rx_phi_deg": "azimuth to the receiver"}
-        for name, what in names.items():
-            coordinates[name] = ("look", getattr(stored, name), {"units": "degree", "long_name": what})
+            of_looks |= {"rx_theta_deg": ("degree", "polar angle to the receiver"), "rx_phi_deg": ("degree", "azimuth to the receiver")}
         if np.all(np.isfinite(stored.range_m)):
-            for name, what in (("range_m", "distance of the transmitter"), ("rx_range_m", "distance of the receiver")):
-                coordinates[name] = ("look", getattr(stored, name), {"units": "m", "long_name": what})
-        return coordinates
+            of_looks |= {"range_m": ("m", "distance of the transmitter"), "rx_range_m": ("m", "distance of the receiver")}
+        return {"frequency": ("frequency", stored.frequency_hz, {"units": "Hz", "long_name": "frequency"}),
+                **{name: ("look", getattr(stored, name), {"units": unit, "long_name": text}) for name, (unit, text) in of_looks.items()}}
 
-    def _array(self, values: NDArray[Any], more: tuple[str, ...], attributes: dict[str, str]) -> xr.DataArray:
+    def _array(self, values: NDArray[Any], attributes: dict[str, str], *more: str) -> xr.DataArray:
         import xarray as xr
 
-        polarisations = {name: (name, ["v", "h"]) for name in more}
-        return xr.DataArray(values, dims=("look", "frequency", *more), coords=self._coordinates | polarisations, attrs=attributes)
-
-    def _channels(self, values: NDArray[Any], attributes: dict[str, str]) -> xr.DataArray:
-        import xarray as xr
-
-        channels = {"channel": ("channel", list(CHANNELS))}
-        return xr.DataArray(values.reshape(*values.shape[:2], 4), dims=("look", "frequency", "channel"),
-                            coords=self._coordinates | channels, attrs=attributes)
+        more = more or ("receive", "transmit")
+        labels = [list(CHANNELS) if name == "channel" else ["v", "h"] for name in more]
+        return xr.DataArray(values.reshape(*values.shape[:2], *map(len, labels)), self._coordinates | dict(zip(more, labels)),
+                            ("look", "frequency", *more), attrs=attributes)
 
 
 def _unpickled(content: bytes, outline: Outline | None) -> Result:
     with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "result.nc")
-        with open(file, "wb") as stream:
-            stream.write(content)
-        return Result(_core.Stored.read_netcdf(file), outline)
+        file = Path(folder, "result.nc")
+        file.write_bytes(content)
+        return Result(_core.Stored.read_netcdf(str(file)), outline)
 
 
 def load(file: str | os.PathLike[str]) -> Result:
-    """Reads a result that raytube has written.
+    """Reads a result written by raytube.
 
     Parameters
     ----------
     file : path
-        ``.nc``, or ``rcs.csv`` (which knows neither parts nor the case).
+        ``.nc``, or ``rcs.csv`` (which holds neither mechanisms nor the case).
 
     Returns
     -------

@@ -13,13 +13,13 @@ from numpy.typing import NDArray
 from raytube import _core
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._tables import is_coarse, run_of
+from raytube._tables import Floats, is_coarse, keys_of, run_of
 
 if TYPE_CHECKING:
     from raytube._result import Result
 
-Floats = NDArray[np.float64]
 FREQUENCY, THETA, PHI, RX_THETA, RX_PHI, LOOK = range(6)
+UNITS = np.array([1e9, 1.0, 1.0, 1.0, 1.0])  # of keys: GHz and degrees
 LABELS = ("frequency (GHz)", "polar angle θ (degrees)", "azimuth φ (degrees)", "polar angle θ of the receiver (degrees)",
           "azimuth φ of the receiver (degrees)", "look")
 _SYMBOLS = ("", "θ", "φ", "θ of the receiver", "φ of the receiver")
@@ -108,13 +108,11 @@ def goes_round(degrees: Floats) -> bool:
 
 def rows_of_result(result: Result, file: str = "") -> Rows:
     """The rows of a result of raytube's, frequency fastest."""
-    stored, (looks, frequencies) = result._stored, result.S.shape[:2]
-    angles = [np.repeat(getattr(stored, name), frequencies) for name in ("theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg")]
-    keys = np.stack([np.tile(stored.frequency_hz / 1e9, looks), *angles], axis=1)
-    sigma, s = stored.sigma_dbsm.reshape(-1, 4), stored.S.reshape(-1, 4)
-    has = [not bool(np.all(np.isnan(sigma[:, c]))) for c in range(4)]
-    return Rows(file, keys, [True, True, True, stored.bistatic, stored.bistatic], has, sigma, s, has,
-                stored.error_db.reshape(-1, 4), stored.model_db.reshape(-1, 4), result.title, not is_coarse(result.warnings))
+    stored = result._stored
+    sigma, error, model = (values.reshape(-1, 4) for values in (stored.sigma_dbsm, stored.error_db, stored.model_db))
+    has = (~np.isnan(sigma).all(axis=0)).tolist()
+    return Rows(file, keys_of(stored) / UNITS, [True, True, True, stored.bistatic, stored.bistatic], has, sigma, stored.S.reshape(-1, 4), has,
+                error, model, result.title, not is_coarse(result.warnings))
 
 
 def read_rows(file: str, columns: str = "", option: str = "--columns") -> Rows:
@@ -129,10 +127,8 @@ def read_rows(file: str, columns: str = "", option: str = "--columns") -> Rows:
     if stored is not None:
         rows = rows_of_result(stored, file)
     else:
-        keys = table.keys.copy()
-        keys[:, FREQUENCY] /= 1e9
         sigma = np.where(table.has_channel, table.sigma_dbsm, np.nan)
-        rows = Rows(file, keys, list(table.has_key), list(table.has_channel), sigma, table.S, list(table.has_phase))
+        rows = Rows(file, table.keys / UNITS, list(table.has_key), list(table.has_channel), sigma, table.S, list(table.has_phase))
     run = run_of(file)
     rows.title = rows.title or run.get("case", {}).get("title", "")
     rows.joined = not is_coarse(stored.warnings if stored is not None and stored.warnings else run.get("warnings", []))
@@ -141,10 +137,10 @@ def read_rows(file: str, columns: str = "", option: str = "--columns") -> Rows:
 
 def name_apart(results: list[Rows]) -> None:
     """Gives each result the shortest end of its path by which all differ."""
-    paths = [list(Path(os.path.abspath(rows.file)).with_suffix("").parts) for rows in results]
-    while len({tuple(parts) for parts in paths}) > 1 and all(len(parts) > 1 and parts[-1] == paths[0][-1] for parts in paths):
+    paths = [Path(os.path.abspath(rows.file)).with_suffix("").parts for rows in results]
+    while len(set(paths)) > 1 and all(len(parts) > 1 and parts[-1] == paths[0][-1] for parts in paths):
         paths = [parts[:-1] for parts in paths]
-    depth = next((d for d in range(1, 64) if len({tuple(parts[-d:]) for parts in paths}) == len(paths)), 0)
+    depth = next((d for d in range(1, 64) if len({parts[-d:] for parts in paths}) == len(paths)), 0)
     for i, (rows, parts) in enumerate(zip(results, paths)):
         rows.name = "/".join(parts[-depth:]) if depth else f"{parts[-1]} ({i + 1})"
 
@@ -234,5 +230,4 @@ def _groups(keys: Floats) -> NDArray[np.int64]:
     """The number of each row's key among the different ones, in the order of their first rows."""
     import pandas
 
-    numbers: NDArray[np.int64] = pandas.DataFrame(keys).groupby(list(range(keys.shape[1])), sort=False).ngroup().to_numpy()
-    return numbers
+    return np.asarray(pandas.DataFrame(keys).groupby(list(range(keys.shape[1])), sort=False).ngroup())

@@ -14,7 +14,7 @@ from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._comparison import table_of
 from raytube._rows import FREQUENCY, LABELS, LOOK, PHI, RX_PHI, Rows, cuts_of, goes_round
-from raytube._tables import KEYS, Range, chosen_rows, number_text, ranges_of
+from raytube._tables import KEYS, Range, cell_text, chosen_rows, number_text, ranges_of
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -38,13 +38,13 @@ class Statistics:
     percentiles : tuple of float
         Shares of the rows [%].
     table : pandas.DataFrame
-        As statistics.csv: a row for each channel with a signal, then for each channel in each sector; ``mean_m2`` of sigma [m^2], ``mean_dbsm``,
-        ``median_dbsm``, percentiles such as ``p10_dbsm``, ``std_db`` (of the decibels, n - 1; rows with zero sigma left out).
+        As statistics.csv: a row for each channel with a signal, then for each channel in each sector; ``mean_m2`` (of sigma [m^2]), ``mean_dbsm``,
+        ``median_dbsm``, percentiles such as ``p10_dbsm``, ``std_db`` (of the levels in dB, n - 1; without rows of zero sigma).
     fits : pandas.DataFrame
-        As fits.csv: laws with their likeliest parameters, and ``ks_distance``, the largest difference between the shares of rows and of the law
-        below any level (Kolmogorov-Smirnov). Empty for fewer than ten levels, or for levels that are all alike.
+        As fits.csv: laws with their maximum-likelihood parameters, and ``ks_distance``, the largest difference between the shares of the rows and of
+        the law below any level (Kolmogorov-Smirnov). Empty for fewer than ten levels, or if all levels are equal.
     histogram : pandas.DataFrame
-        As histogram.csv: rows with sigma between two levels, their share, and that which each law expects.
+        As histogram.csv: rows with sigma between two levels, their share, and the share that each law predicts.
     """
 
     file: str
@@ -59,16 +59,16 @@ class Statistics:
         lines = [self.file, _line("", [channel.upper() for channel in rows.index])]
         for name, column, form in [("rows", "rows", "d"), ("mean of sigma, m2", "mean_m2", ".4g"), ("mean of sigma, dBsm", "mean_dbsm", ".2f"),
                                    ("median, dBsm", "median_dbsm", ".2f"), *shares, ("standard deviation, dB", "std_db", ".4g")]:
-            lines.append(_line(name, [_cell(value, form) for value in rows[column]]))
+            lines.append(_line(name, [cell_text(value, form) for value in rows[column]]))
         lines.append("largest difference of shares (Kolmogorov-Smirnov)")
         distances = fits["ks_distance"].unstack().reindex(index=list(LAWS), columns=rows.index)
-        lines += [_line(title, [_cell(value, ".3f") for value in distances.loc[law]]) for law, title in LAWS.items()]
+        lines += [_line(title, [cell_text(value, ".3f") for value in distances.loc[law]]) for law, title in LAWS.items()]
         lines.append(_line("nearest", [self.nearest_law(channel) or "-" for channel in rows.index]))
         freedom = fits["degrees_of_freedom"].unstack().reindex(index=list(LAWS), columns=rows.index).loc["chi_square"]
-        return "\n".join([*lines, _line("degrees of freedom of chi-square", [_cell(value, ".4g") for value in freedom])]) + "\n"
+        return "\n".join([*lines, _line("degrees of freedom of chi-square", [cell_text(value, ".4g") for value in freedom])]) + "\n"
 
     def nearest_law(self, channel: str) -> str:
-        """The law with the least distance from the rows of a channel.
+        """The law with the smallest distance from the rows of a channel.
 
         Parameters
         ----------
@@ -78,7 +78,7 @@ class Statistics:
         Returns
         -------
         str
-            Its title, such as ``Swerling I``; empty where none was fitted.
+            Its title, such as ``Swerling I``; empty if none was fitted.
         """
         fits = self.fits[self.fits["channel"] == channel]
         return LAWS[fits.loc[fits["ks_distance"].idxmin(), "law"]] if len(fits) else ""
@@ -91,13 +91,13 @@ def statistics(result: Any, percentiles: Sequence[float] = (10.0, 50.0, 90.0), s
     Parameters
     ----------
     result : Result or path
-        What `solve` or `load` gave, or a file: ``.nc``, or a table with a header as `compare` takes it. Each row counts once.
+        A Result, or a file: ``.nc``, or a table with a header that `compare` takes. Each row counts once.
     percentiles : sequence of float
         Shares of the rows [%], ascending; percentiles are interpolated linearly in dB.
     sector_deg : float, optional
-        Also of sectors of this width about each row, those that lie within the sweep; over azimuths all round they run on over its ends.
+        Also evaluate sectors of this width about each row, if they lie within the sweep; over all azimuths, sectors continue across its ends.
     only : dict, optional
-        Rows that count: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
+        Count only these rows: ``{"phi_deg": (-45, 45), "freq_hz": 10e9}``.
     columns : str or dict of str to str
         Columns of a table that have other names or units, as `compare` takes them.
 
@@ -256,7 +256,3 @@ def _sectors(keys: Values, has_key: Sequence[bool], levels: Values, channels: Se
 
 def _line(name: str, cells: Sequence[str]) -> str:
     return f"  {name:<36}" + "".join(f"{cell:>12}" for cell in cells)
-
-
-def _cell(value: float, form: str) -> str:
-    return "-" if np.isnan(value) else format(value, form)

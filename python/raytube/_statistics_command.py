@@ -12,7 +12,7 @@ import numpy as np
 from raytube._command import Parser, new_files
 from raytube._core import InputError
 from raytube._statistics import LAWS, Statistics, law_of, shares_of, statistics_of
-from raytube._tables import KEYS, json_number, ranges_of_options, require_free, result_file, write_table
+from raytube._tables import KEYS, json_numbers, ranges_of_options, require_free, result_file, write_table
 
 _TABLES, _PICTURES = ("statistics.csv", "fits.csv", "histogram.csv"), ("statistics.png", "statistics.svg")
 _EXAMPLES = """\
@@ -46,7 +46,12 @@ def main(arguments: list[str]) -> int:
     if asked.output:
         require_free(asked.output, _TABLES + _PICTURES, [asked.result])
     asked.result = str(result_file(asked.result))
-    found = statistics_of(asked.result, _percentiles(asked.percentiles), asked.window, ranges_of_options(asked.only), asked.columns, "--columns")
+    try:
+        percentiles = [float(word) for word in asked.percentiles.split(",")]
+    except ValueError:
+        raise InputError(f"--percentiles {asked.percentiles}: write numbers such as 10,50,90") from None
+    shares = shares_of(percentiles, f"--percentiles {asked.percentiles}")
+    found = statistics_of(asked.result, shares, asked.window, ranges_of_options(asked.only), asked.columns, "--columns")
     sys.stdout.write(json.dumps(_document(found), indent=2) + "\n" if asked.json else repr(found))
     if asked.output:
         with new_files(Path(asked.output)) as folder:
@@ -57,32 +62,25 @@ def main(arguments: list[str]) -> int:
     return 0
 
 
-def _percentiles(text: str) -> tuple[float, ...]:
-    try:
-        return shares_of([float(word) for word in text.split(",")], f"--percentiles {text}")
-    except ValueError as error:
-        raise error if isinstance(error, InputError) else InputError(f"--percentiles {text}: write numbers such as 10,50,90") from None
-
-
 def _document(found: Statistics) -> dict[str, Any]:
     whole = found.table[found.table["from_deg"].isna()].drop(columns=[*KEYS, "from_deg", "to_deg"])
     channels = {line.pop("channel"): line for line in whole.to_dict("records")}
     for channel, line in channels.items():
         line["nearest_law"] = found.nearest_law(channel)
-        line["laws"] = {fit.pop("law"): {name: json_number(value) for name, value in fit.items()}
+        line["laws"] = {fit.pop("law"): json_numbers(fit)
                         for fit in found.fits[found.fits["channel"] == channel].drop(columns="channel").to_dict("records")}
-        channels[channel] = {name: json_number(value) if isinstance(value, float) else value for name, value in line.items()}
+        channels[channel] = json_numbers(line)
     return {"file": found.file, "channels": channels}
 
 
 def _write(found: Statistics, folder: Path) -> None:
     blank = {*KEYS, "from_deg", "to_deg"}
     for name, frame, comments in (
-            ("statistics", found.table, [f"sigma of the rows of {Path(found.file).name}, each of which counts once; mean of sigma in m2, not of dB;",
+            ("statistics", found.table, [f"sigma over the rows of {Path(found.file).name}, each counted once; mean of sigma in m2, not of dB;",
                                          "percentiles by linear interpolation in dB; std_db of the decibels. The first rows: the whole result."]),
-            ("fits", found.fits, ["Laws of sigma with their likeliest parameters; degrees of freedom are 2 k; ks_distance: the largest difference",
-                                  "between the shares of rows and of the law below any level (Kolmogorov-Smirnov), without rows of zero sigma."]),
-            ("histogram", found.histogram, ["Rows with sigma in from_dbsm ... to_dbsm; their share, and that which the laws of fits.csv expect"])):
+            ("fits", found.fits, ["Laws for sigma with maximum-likelihood parameters; degrees of freedom are 2 k; ks_distance: the largest",
+                                  "difference between the shares of rows and of the law below any level (Kolmogorov-Smirnov), without zero sigma."]),
+            ("histogram", found.histogram, ["Rows with sigma in from_dbsm ... to_dbsm; their share, and that predicted by the laws of fits.csv"])):
         columns = list(frame.columns)
         rows = (["" if name in blank and cell != cell else cell for name, cell in zip(columns, row)] for row in frame.itertuples(index=False))
         write_table(folder / f"{name}.csv", comments, columns, rows)
@@ -94,7 +92,7 @@ def _draw(found: Statistics, folder: Path) -> bool:
 
     channels = list(dict.fromkeys(found.histogram["channel"]))
     if not channels:
-        sys.stderr.write("raytube: warning: no picture, as sigma is zero in every row\n")
+        sys.stderr.write("raytube: warning: no picture, because sigma is zero in every row\n")
         return False
     across = min(2, len(channels))
     up = -(-len(channels) // across)

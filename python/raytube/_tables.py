@@ -21,16 +21,32 @@ from raytube._core import InputError
 if TYPE_CHECKING:
     from pandas import DataFrame
 
+    from raytube._core import Stored
+
+Floats = NDArray[np.float64]
 KEYS = ("freq_hz", "theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg")
 _MECHANISMS = {"bounce_3_on": "bounce 3 and later", "edges_order_1": "edges, order 1", "edges_order_2_on": "edges, orders 2 and 3",
                "interaction": "edge–face interaction", "surface_waves": "waves over curved surfaces"}
 Range = tuple[str, float, float]  # column, lowest, highest
 
 
-def dbsm(amplitude: Any) -> NDArray[np.float64]:
+def dbsm(amplitude: Any) -> Floats:
     """Levels of amplitudes in metres."""
     with np.errstate(divide="ignore"):
         return np.asarray(20.0 * np.log10(np.abs(amplitude)) + 10.0 * np.log10(4.0 * np.pi))
+
+
+def largest_of_blocks(values: NDArray[Any], axis: int, most: int) -> tuple[NDArray[Any], int]:
+    """At most this many blocks along an axis, each as large as the largest of its values, and their length."""
+    size = max(1, -(-values.shape[axis] // most))
+    return np.fmax.reduceat(values, np.arange(0, values.shape[axis], size), axis), size
+
+
+def keys_of(stored: Stored) -> Floats:
+    """`KEYS` of the rows of a result, frequency fastest."""
+    looks, frequencies = stored.S.shape[:2]
+    angles = (np.repeat(getattr(stored, name), frequencies) for name in KEYS[1:])
+    return np.column_stack([np.tile(stored.frequency_hz, looks), *angles])
 
 
 def comments(file: str | Path) -> list[str]:
@@ -92,10 +108,10 @@ def result_file(given: str) -> Path:
         if path.suffix.lower() == ".toml":
             raise InputError(f"{given}: is a case, not a result; run it first (raytube run)")
         return path
-    for name in ("rcs.csv", "rcs.nc"):
-        if (path / name).is_file():
-            return path / name
-    raise InputError(f"{given}: holds neither rcs.csv nor rcs.nc; give the folder of a raytube run")
+    found = [path / name for name in ("rcs.csv", "rcs.nc") if (path / name).is_file()]
+    if not found:
+        raise InputError(f"{given}: holds neither rcs.csv nor rcs.nc; give the folder of a raytube run")
+    return found[0]
 
 
 def run_of(file: str) -> dict[str, Any]:
@@ -120,9 +136,14 @@ def number_text(value: float) -> str:
     return repr(float(value)).removesuffix(".0") if value else "0"
 
 
-def json_number(value: float) -> float | None:
+def cell_text(value: float, form: str) -> str:
+    """A number in a printed table."""
+    return "-" if math.isnan(value) else format(value, form)
+
+
+def json_numbers(values: Mapping[str, Any]) -> dict[str, Any]:
     """JSON has no infinities, and no undefined numbers."""
-    return float(value) if math.isfinite(value) else None
+    return {name: None if isinstance(value, float) and not math.isfinite(value) else value for name, value in values.items()}
 
 
 def write_table(file: Path, comments: Iterable[str], columns: Sequence[str], rows: Iterable[Iterable[Any]]) -> None:
@@ -169,7 +190,7 @@ def _range(column: str, ends: Any, known: Sequence[str] = ()) -> Range:
     return column, float(ends[0]), float(ends[-1])
 
 
-def chosen_rows(keys: NDArray[np.float64], has_key: Sequence[bool], ranges: Iterable[Range], file: str) -> NDArray[np.bool_]:
+def chosen_rows(keys: Floats, has_key: Sequence[bool], ranges: Iterable[Range], file: str) -> NDArray[np.bool_]:
     """Rows in all ranges, ends included; an azimuth may lie there by full turns, which are then taken off it in `keys`."""
     chosen = np.ones(len(keys), bool)
     for column, low, high in ranges:

@@ -15,25 +15,25 @@ from raytube._core import InputError
 
 
 class Target:
-    """A mesh, read once and made ready for rays once for every choice of materials and creases: solve it as often as you like.
+    """A mesh, read once and prepared for rays once for every choice of materials and creases: solve it as often as you like.
 
     Parameters
     ----------
     vertices : array of float, shape (vertices, 3)
         Coordinates in `unit`.
     faces : array of int, shape (faces, 3) or wider
-        Corners of each polygon, counted from 0; a polygon with fewer corners than the widest ends with -1. Lists of different lengths
-        will do.
+        Corners of each polygon, counted from 0; polygons with fewer corners than the widest end with -1. Lists of different lengths
+        work as well.
     unit : {"m", "cm", "mm", "um", "in", "ft"}
-        Length of one unit of the mesh. There is no default: a wrong unit is the commonest error.
+        Length of one unit of the mesh. There is no default: a wrong unit is the most common error.
     parts : sequence of str, or dict of str to sequence of int, optional
         The name of the part that each face belongs to, or the faces of each part. `solve` gives materials to parts by these names.
 
     Raises
     ------
     InputError
-        For arrays of another shape, coordinates that are not finite, and corners that are no vertices. What else is wrong with a mesh,
-        `check` reports.
+        For arrays of another shape, coordinates that are not finite, and corners that are not vertices. `check` reports whatever else is
+        wrong with a mesh.
 
     See Also
     --------
@@ -98,7 +98,7 @@ class Target:
         return self
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Target:
-        return self  # nothing of it changes
+        return self  # it never changes
 
     def __repr__(self) -> str:
         size = " x ".join(f"{length:.4g}" for length in np.ptp(self.vertices, axis=0))
@@ -106,22 +106,18 @@ class Target:
 
 
 def _unit(unit: Any) -> str:
-    return unit if isinstance(unit, str) else repr(unit)  # the core knows which there are
+    return unit if isinstance(unit, str) else repr(unit)  # the core checks it
 
 
 def _corners(faces: Any) -> NDArray[np.int64]:
     try:
         array = np.asarray(faces)
-    except ValueError:
-        return _padded(faces)
-    if array.dtype == object:
-        return _padded(faces)
-    if array.size and (array.dtype.kind not in "iu" or array.max() > np.iinfo(np.int64).max):
-        raise InputError("faces: corners are whole numbers, counted from 0; give an array of integers")
-    return array.astype(np.int64)
-
-
-def _padded(faces: Any) -> NDArray[np.int64]:
+    except ValueError:  # polygons of different lengths
+        array = np.empty(0, object)
+    if array.dtype != object:
+        if array.size and (array.dtype.kind not in "iu" or array.max() > np.iinfo(np.int64).max):
+            raise InputError("faces: corners are whole numbers, counted from 0; give an array of integers")
+        return array.astype(np.int64)
     try:
         polygons = [[operator.index(corner) for corner in face] for face in faces]
         widest = max(map(len, polygons))

@@ -139,7 +139,7 @@ WRONG = {
     "odd result": (lambda: rt.load("x.json"), "read_radar_explorer"),
     "compare with nothing": (lambda: rt.compare(None, solve()), "result: give a Result or the path of a file (found None)"),
     "compare with an array": (lambda: rt.compare(solve(), solve().S), "reference: give a Result or the path of a file (found DataArray)"),
-    "columns of a result": (lambda: rt.compare(solve(), solve(), reference_columns="phi_deg=a"), "reference_columns: reference is no table"),
+    "columns of a result": (lambda: rt.compare(solve(), solve(), reference_columns="phi_deg=a"), "reference_columns: reference is not a table"),
     "odd columns": (lambda: rt.compare(solve(), "x.csv", reference_columns=[1]), "reference_columns: give a text"),
     "negative decibels": (lambda: rt.compare(solve(), solve(), within_db=-1), "within_db: give 0 or more"),
     "odd column": (lambda: rt.compare(solve(), solve(), only={"x": 3}), "there is no column x"),

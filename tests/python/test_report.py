@@ -8,7 +8,7 @@ import struct
 import numpy as np
 import pytest
 
-from raytube import InputError, Result, _core, _report, _report_command, _report_scene, _rows
+from raytube import InputError, Result, _core, _report, _report_command, _rows
 from raytube.__main__ import main
 
 from conftest import CASES
@@ -132,13 +132,13 @@ def test_a_large_mesh_keeps_its_shape():
     a = (np.arange(n)[:, None] * (n + 1) + np.arange(n)).ravel()
     triangles = np.concatenate([np.column_stack([a, a + n + 1, a + n + 2]), np.column_stack([a, a + n + 2, a + 1])])
     vertices = np.column_stack([x.ravel(), y.ravel(), np.full(x.size, 0.3)])
-    points, corners, shown_as = _report_scene.shown_mesh(vertices, triangles, 2000)
+    points, corners, shown_as = _report.shown_mesh(vertices, triangles, 2000)
     assert 1000 < len(corners) <= 2000 and len(shown_as) == len(triangles)
     cell = np.sqrt(2.0 / len(corners))
     area = 0.5 * np.linalg.norm(np.cross(points[corners[:, 1]] - points[corners[:, 0]], points[corners[:, 2]] - points[corners[:, 0]]), axis=1).sum()
     assert area == pytest.approx(1.0, abs=2.5 * cell)
     assert np.all(np.linalg.norm(points[corners[shown_as, 0]] - vertices[triangles[:, 0]], axis=1) < 4.0 * cell)
-    assert np.array_equal(_report_scene.shown_mesh(vertices, triangles, len(triangles))[1], triangles)
+    assert np.array_equal(_report.shown_mesh(vertices, triangles, len(triangles))[1], triangles)
 
 
 def test_the_command_writes_one_file(folder, tmp_path, monkeypatch, capsys):

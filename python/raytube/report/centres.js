@@ -26,9 +26,9 @@ function centreSprites(centres, channel, range, radius) {
   pen.stroke();
   const map = new THREE.CanvasTexture(disc), levels = centres.sigma[channel], top = peakOf(levels);
   for (let i = levels.length - 1; i >= 0; --i) {
-    const share = 1 + (levels[i] - top) / range;
+    const share = shareOf(levels[i], top, range);
     if (!(share > 0)) continue;
-    const colour = new THREE.Color(...paletteColour(share).map((c) => c / 255)), size = (0.025 + 0.065 * share) * radius;
+    const colour = new THREE.Color(...rgbOf(share)), size = (0.025 + 0.065 * share) * radius;
     const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map, color: colour, transparent: true, depthTest: false, depthWrite: false }));
     sprite.position.set(...centrePlace(centres, i));
     sprite.scale.set(size, size, 1);

@@ -62,9 +62,8 @@ class CurvePlot extends Frame {
 
   paintCurve(s) {
     const pen = this.pen;
-    pen.strokeStyle = pen.fillStyle = cssColour(s.colour);
-    pen.lineWidth = s.width || 1.6;
-    pen.setLineDash(s.dash || []);
+    takeLine(pen, s);
+    pen.fillStyle = pen.strokeStyle;
     pen.beginPath();
     if (!s.points) for (const i of this.indices(s)) pen.lineTo(this.toX(s.xs[i]), this.atY(s.ys[i]));
     pen.stroke();
@@ -94,12 +93,6 @@ class CurvePlot extends Frame {
     pen.setLineDash([]);
     for (const i of this.indices(s)) this.line(this.toX(s.xs[i]), this.atY(band.low[i]), this.toX(s.xs[i]), this.atY(band.high[i]));
     pen.globalAlpha = 1;
-  }
-
-  dot(x, y, radius) {
-    this.pen.beginPath();
-    this.pen.arc(x, y, radius, 0, 2 * Math.PI);
-    this.pen.fill();
   }
 
   // The curves shown, as comma-separated values.
@@ -190,36 +183,26 @@ class PolarPlot extends Frame {
   paintRingLabels() {
     const pen = this.pen;
     pen.fillStyle = cssColour("--muted");
-    pen.textAlign = "center";
-    pen.textBaseline = "middle";
-    for (let angle = 0; angle < 360; angle += 30) pen.fillText(angle + "\u00b0", ...this.point(angle, this.top + 0.06 * this.range));
-    pen.textAlign = "left";
+    for (let angle = 0; angle < 360; angle += 30)
+      write(pen, angle + "\u00b0", ...this.point(angle, this.top + 0.06 * this.range), "center", "middle");
     for (let level = this.bottom + 10; level <= this.top; level += 10)
-      pen.fillText(tickText(level, [0, 10]) + (level === this.top ? " dBsm" : ""), ...this.point(75, level));
+      write(pen, tickText(level, [0, 10]) + (level === this.top ? " dBsm" : ""), ...this.point(75, level), "left", "middle");
   }
 
   paintCurve(s) {
-    const pen = this.pen, count = s.xs.length;
-    pen.strokeStyle = cssColour(s.colour);
-    pen.lineWidth = s.width || 1.6;
-    pen.setLineDash(s.dash || []);
-    if (s.points) return this.paintPoints(s);
+    const pen = this.pen, count = s.xs.length, places = Array.from(s.xs, (x, i) => this.point(x, s.ys[i]));
+    takeLine(pen, s);
+    pen.fillStyle = pen.strokeStyle;
+    if (s.points) {
+      for (const [x, y] of places) this.dot(x, y, 2);
+      return;
+    }
     pen.beginPath();
-    for (let i = 0; i < count; ++i) pen.lineTo(...this.point(s.xs[i], s.ys[i]));
+    for (const place of places) pen.lineTo(...place);
     const step = (s.xs[count - 1] - s.xs[0]) / (count - 1);
     if (s.xs[0] + 360 - s.xs[count - 1] < 1.5 * step) pen.closePath();
     pen.stroke();
     pen.setLineDash([]);
-    return undefined;
-  }
-
-  paintPoints(s) {
-    this.pen.fillStyle = cssColour(s.colour);
-    for (let i = 0; i < s.xs.length; ++i) {
-      this.pen.beginPath();
-      this.pen.arc(...this.point(s.xs[i], s.ys[i]), 2, 0, 2 * Math.PI);
-      this.pen.fill();
-    }
   }
 
   paintMark() {

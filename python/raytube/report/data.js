@@ -37,6 +37,14 @@ function addSection(id, heading, ...children) {
   return section;
 }
 
+const note = (text) => make("p", { class: "note" }, text);
+
+// A section of controls, what is drawn, and a note. kind: classes of what is drawn.
+function addPlotSection(id, heading, words, kind = "plot") {
+  const controls = make("div", { class: "controls" }), holder = make("div", { class: kind });
+  return { controls, holder, section: addSection(id, heading, controls, holder, note(words)) };
+}
+
 function group(legend, ...children) {
   return make("fieldset", {}, make("legend", {}, legend), ...children);
 }
@@ -48,6 +56,10 @@ function toggle(text, checked, change, colour) {
   label.append(text);
   return label;
 }
+
+// A group of one for each entry of a list of states, with a colour where colourOf gives one.
+const toggles = (legend, names, states, change, colourOf = () => undefined) =>
+  group(legend, ...names.map((name, i) => toggle(name, states[i], (on) => { states[i] = on; change(); }, colourOf(i))));
 
 function choice(legend, options, chosen, change) {
   const list = make("select", { "aria-label": legend, onchange: () => change(list.selectedIndex) });
@@ -65,5 +77,6 @@ function slider(legend, texts, chosen, change) {
   return group(legend, bar, words);
 }
 
+const ascending = (a, b) => (a < b ? [a, b] : [b, a]);
 const peakOf = (levels) => levels.reduce((a, b) => Math.max(a, b), -Infinity);
 const strongestChannel = (four) => four.reduce((best, levels, i) => (peakOf(levels) > peakOf(four[best]) ? i : best), 0);

@@ -6,7 +6,7 @@ function colourDots(grid, top, range, clear) {
   const dots = pen.createImageData(grid.columns, grid.rows);
   for (let row = 0; row < grid.rows; ++row)
     for (let column = 0; column < grid.columns; ++column) {
-      const share = 1 + (grid.levels[row * grid.columns + column] - top) / range;
+      const share = shareOf(grid.levels[row * grid.columns + column], top, range);
       const at = 4 * ((grid.rows - 1 - row) * grid.columns + column);
       dots.data.set(paletteColour(share), at);
       dots.data[at + 3] = clear && !(share > 0) ? 0 : 255;
@@ -22,11 +22,8 @@ function paintColourBar(pen, { left, top, height, width }, levelTop, range) {
   }
   const ticks = ticksOf(levelTop - range, levelTop, height / 40);
   pen.fillStyle = cssColour("--muted");
-  pen.textAlign = "left";
-  pen.textBaseline = "middle";
-  for (const level of ticks) pen.fillText(tickText(level, ticks), left + width + 5, top + (levelTop - level) / range * height);
-  pen.textBaseline = "bottom";
-  pen.fillText("dBsm", left - 4, top - 8);
+  for (const level of ticks) write(pen, tickText(level, ticks), left + width + 5, top + (levelTop - level) / range * height, "left", "middle");
+  write(pen, "dBsm", left - 4, top - 8, "left", "bottom");
 }
 
 // grid: { levels, columns, rows, x: [first, last], y: [first, last] } of the middles of cells
@@ -37,16 +34,14 @@ class HeatPlot extends Frame {
 
   setGrid(grid, keepView) {
     this.grid = grid;
-    this.top = 2 * Math.ceil(peakOf(grid.levels) / 2);
-    if (!Number.isFinite(this.top)) this.top = 0;
+    this.top = topOf(peakOf(grid.levels));
     this.cell = ["x", "y"].map((axis, i) => {
       const cells = i ? grid.rows : grid.columns;
       return cells > 1 ? (grid[axis][1] - grid[axis][0]) / (cells - 1) : 1;
     });
     const ends = (axis, cell) => [grid[axis][0] - cell / 2, grid[axis][1] + cell / 2];
     this.ends = { x: ends("x", this.cell[0]), y: ends("y", this.cell[1]) };
-    const ascending = ([a, b]) => (a < b ? [a, b] : [b, a]);
-    this.full = { x: ascending(this.ends.x), y: ascending(this.ends.y) };
+    this.full = { x: ascending(...this.ends.x), y: ascending(...this.ends.y) };
     this.colour();
     if (keepView && this.shown) this.draw();
     else this.reset();
@@ -74,9 +69,7 @@ class HeatPlot extends Frame {
     this.paintLines();
     if (this.radar) {
       pen.fillStyle = "#ffffff";
-      pen.textAlign = "left";
-      pen.textBaseline = "bottom";
-      pen.fillText("\u2191 away from the radar", Math.max(this.toX(this.full.x[0]), left) + 8, top + height - 8);
+      write(pen, "\u2191 away from the radar", Math.max(this.toX(this.full.x[0]), left) + 8, top + height - 8, "left", "bottom");
     }
     pen.restore();
     this.paintGrid(false);

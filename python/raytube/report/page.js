@@ -45,7 +45,7 @@ class Rows {
   }
 }
 
-// An error of so many decibels as a band: S and what may be wrong with it, 20 log10(1 ± δ/|S|).
+// An error in decibels as a band: S and what may be wrong with it, 20 log10(1 ± δ/|S|).
 function bandOf(ys, errors, opacity) {
   const share = errors.map((level) => 10 ** (level / 20) - 1);
   return { high: ys.map((y, i) => y + errors[i]), low: ys.map((y, i) => y + 20 * Math.log10(Math.max(1 - share[i], 1e-3))), opacity };
@@ -68,19 +68,18 @@ class CurveView {
     this.incoherent = [false, false];
     this.model = true;
     this.numerical = false;
-    this.controls = make("div", { class: "controls" });
-    const holder = make("div", { class: "plot" }), round = make("div", { class: "plot tall" });
     const rough = rows.incoherent.length ? " What rough surfaces scatter incoherently, of V or H transmitted and both received together, has no phase: it adds to σ as power." : "";
     const left = rows.count < rows.total ? ` Of ${rows.total} rows ${rows.count} are here: the strongest and the weakest of every few neighbours.` : "";
-    this.hint = make("p", { class: "note" });
-    addSection("curves", "Curves", this.controls, holder, this.hint, make("p", { class: "note" },
-      "Drag a rectangle or turn the wheel to zoom (shift: across only), double click or Escape for all." + rough + left));
+    const curves = addPlotSection("curves", "Curves", "Drag a rectangle or turn the wheel to zoom (shift: across only), double click or Escape for all." + rough + left);
+    this.controls = curves.controls;
+    this.hint = note("");
+    curves.holder.after(this.hint);
     const caption = () => this.chosen.cuts[this.cut].words;
-    this.plot = new CurvePlot(holder, { label: "σ over what is swept", yLabel: "σ (dBsm)", range: 80, caption });
-    this.polarSection = addSection("polar", "Polar", this.polarControls = make("div", { class: "controls" }), round, make("p", { class: "note" },
-      "The curve above, of the same channels and mechanisms: radius in decibels, azimuth 0 on the right, 90° on top."));
-    this.polar = new PolarPlot(round, { label: "σ over azimuth", range: 50, caption });
-    this.polarControls.append(rangeChoice(50, (range) => { this.polar.range = range; this.update(true); }), ...saveButtons("polar", () => this.polar.picture()));
+    this.plot = new CurvePlot(curves.holder, { label: "σ over what is swept", yLabel: "σ (dBsm)", range: 80, caption });
+    const polar = addPlotSection("polar", "Polar", "The curve above, for the same channels and mechanisms: radius in decibels, azimuth 0 on the right, 90° on top.", "plot tall");
+    this.polarSection = polar.section;
+    this.polar = new PolarPlot(polar.holder, { label: "σ over azimuth", range: 50, caption });
+    polar.controls.append(rangeChoice(50, (range) => { this.polar.range = range; this.update(true); }), ...saveButtons("polar", () => this.polar.picture()));
     this.chooseQuantity(0);
   }
 
@@ -96,16 +95,15 @@ class CurveView {
   }
 
   layControls() {
-    const { choices, chosen, rows } = this;
+    const { choices, chosen, rows } = this, update = () => this.update(true);
     this.controls.replaceChildren();
     if (choices.length > 1) this.controls.append(choice("over", choices.map((each) => quantityLabels[each.name]), choices.indexOf(chosen), (i) => this.chooseQuantity(i)));
     if (chosen.cuts.length > 1) this.controls.append(slider("at", chosen.cuts.map((cut) => cut.words), this.cut, (i) => { this.cut = i; this.update(true); }));
     else this.controls.append(make("span", {}, chosen.cuts[0].words));
-    const channels = channelNames.map((name, i) => toggle(name, this.channels[i], (on) => { this.channels[i] = on; this.update(true); }, "--c" + i));
-    this.controls.append(group("channels", ...channels));
+    this.controls.append(toggles("channels", channelNames, this.channels, update, (i) => "--c" + i));
     const names = ["all together", ...rows.mechanisms.map((each) => each.label)];
-    if (rows.mechanisms.length) this.controls.append(group("mechanisms", ...names.map((name, i) => toggle(name, this.shown[i], (on) => { this.shown[i] = on; this.update(true); }))));
-    if (rows.incoherent.length) this.controls.append(group("incoherent", ...["V", "H"].map((name, i) => toggle("of " + name, this.incoherent[i], (on) => { this.incoherent[i] = on; this.update(true); }, "--c" + (4 + i)))));
+    if (rows.mechanisms.length) this.controls.append(toggles("mechanisms", names, this.shown, update));
+    if (rows.incoherent.length) this.controls.append(toggles("incoherent", ["of V", "of H"], this.incoherent, update, (i) => "--c" + (4 + i)));
     this.controls.append(group("bands", toggle("model uncertainty", this.model, (on) => { this.model = on; this.update(true); }),
       toggle("numerical error", this.numerical, (on) => { this.numerical = on; this.update(true); })),
       rangeChoice(this.plot.range, (range) => { this.plot.range = range; this.update(false); }),
@@ -150,9 +148,8 @@ class CurveView {
 
 function addMap(map) {
   if (!map) return;
-  const sigma = fourLevels(map.sigma), holder = make("div", { class: "plot" }), first = strongestChannel(sigma);
-  const controls = make("div", { class: "controls" });
-  addSection("map", "Map", controls, holder, make("p", { class: "note" }, map.fixed ? "At " + map.fixed + "." : ""));
+  const sigma = fourLevels(map.sigma), first = strongestChannel(sigma);
+  const { controls, holder } = addPlotSection("map", "Map", map.fixed ? "At " + map.fixed + "." : "");
   const plot = new HeatPlot(holder, { label: "σ over two quantities", xLabel: quantityLabels[map.x.quantity], yLabel: quantityLabels[map.y.quantity], caption: map.fixed });
   const gridOf = (channel) => ({ levels: sigma[channel], columns: map.x.count, rows: map.y.count, x: [map.x.first, map.x.last], y: [map.y.first, map.y.last] });
   addHeatControls(controls, plot, first, gridOf, "map");
@@ -187,10 +184,9 @@ function addProfiles(profiles, rows, sweep) {
   const strongest = sigma[strongestChannel(sigma)], peak = strongest.indexOf(peakOf(strongest));
   const state = { look: Math.floor(peak / count), channels: [true, false, false, true] };
   const placeWords = (i) => axis.label.replace(/ \(degrees\)/, "") + " " + numberText(axis.at(i), 7) + (axis.label === "look" ? "" : "°");
-  const controls = make("div", { class: "controls" }), holder = make("div", { class: "plot" });
-  addSection("profile", "Range profile", controls, holder, make("p", { class: "note" },
+  const { controls, holder } = addPlotSection("profile", "Range profile",
     `Range beyond the phase reference, away from the radar. A peak is ${numberText(profiles.resolution, 3)} m wide (3 dB, ${profiles.window} window); what is ${numberText(profiles.unambiguous, 4)} m farther away appears at the same range.` +
-    " The dashed line is where the look's model uncertainty would be if all of it came from one range."));
+    " The dashed line is where the look's model uncertainty would be if all of it came from one range.");
   const plot = new CurvePlot(holder, { label: "range profile", xLabel: "range (m)", yLabel: "σ (dBsm)", range: 60, caption: () => (profiles.blocks > 1 ? placeWords(state.look) : "") });
   const update = (keepView) => {
     const series = channelNames.map((name, i) => ({ name, colour: "--c" + i, xs: ranges, ys: sigma[i].subarray(state.look * count, (state.look + 1) * count) })).filter((_, i) => state.channels[i]);
@@ -199,15 +195,15 @@ function addProfiles(profiles, rows, sweep) {
     plot.setSeries(series, keepView);
   };
   if (profiles.blocks > 1) controls.append(slider("at", Array.from({ length: profiles.blocks }, (_, i) => placeWords(i)), state.look, (i) => { state.look = i; update(true); }));
-  controls.append(group("channels", ...channelNames.map((name, i) => toggle(name, state.channels[i], (on) => { state.channels[i] = on; update(true); }, "--c" + i))),
+  controls.append(toggles("channels", channelNames, state.channels, () => update(true), (i) => "--c" + i),
     ...saveButtons("profile", () => plot.picture(), () => plot.table()));
   update(false);
   if (profiles.blocks > 1) addWaterfall(sigma, profiles, axis);
 }
 
 function addWaterfall(sigma, profiles, axis) {
-  const controls = make("div", { class: "controls" }), holder = make("div", { class: "plot" }), first = strongestChannel(sigma);
-  addSection("waterfall", "Waterfall", controls, holder, make("p", { class: "note" }, "Range profiles of all looks" + (profiles.looks_a_block > 1 ? `, the strongest of every ${profiles.looks_a_block}.` : ".")));
+  const words = "Range profiles of all looks" + (profiles.looks_a_block > 1 ? `, the strongest of every ${profiles.looks_a_block}.` : ".");
+  const { controls, holder } = addPlotSection("waterfall", "Waterfall", words), first = strongestChannel(sigma);
   const plot = new HeatPlot(holder, { label: "range profiles of all looks", xLabel: "range (m)", yLabel: axis.label });
   const gridOf = (channel) => ({ levels: sigma[channel], columns: profiles.range.count, rows: profiles.blocks, x: [profiles.range.first, profiles.range.last], y: [axis.first, axis.last] });
   addHeatControls(controls, plot, first, gridOf, "waterfall");
@@ -229,8 +225,7 @@ function flattened(scene, across, up) {
 }
 
 function addImage(id, heading, words, labels, first, gridOf, flat) {
-  const controls = make("div", { class: "controls" }), holder = make("div", { class: "plot tall" });
-  addSection(id, heading, controls, holder, make("p", { class: "note" }, words));
+  const { controls, holder } = addPlotSection(id, heading, words, "plot tall");
   const plot = new HeatPlot(holder, { label: heading, equal: true, xLabel: labels[0], yLabel: labels[1], flat, linesOn: true, radar: id === "isar" });
   addHeatControls(controls, plot, first, gridOf, id);
   if (flat) controls.append(toggle("target", true, (on) => { plot.linesOn = on; plot.draw(); }));

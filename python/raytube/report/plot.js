@@ -81,17 +81,13 @@ class Frame {
     pen.lineWidth = 1;
     pen.strokeStyle = cssColour("--grid");
     pen.fillStyle = cssColour("--muted");
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
     for (const x of xs) {
       if (lines) this.line(this.toX(x), top, this.toX(x), top + height);
-      pen.fillText(tickText(x, xs), this.toX(x), top + height + 6);
+      write(pen, tickText(x, xs), this.toX(x), top + height + 6, "center", "top");
     }
-    pen.textAlign = "right";
-    pen.textBaseline = "middle";
     for (const y of ys) {
       if (lines) this.line(left, this.toY(y), left + width, this.toY(y));
-      pen.fillText(tickText(y, ys), left - 6, this.toY(y));
+      write(pen, tickText(y, ys), left - 6, this.toY(y), "right", "middle");
     }
     pen.strokeStyle = cssColour("--axis");
     pen.strokeRect(left, top, width, height);
@@ -100,14 +96,11 @@ class Frame {
 
   paintLabels() {
     const pen = this.pen, { left, top, width, height } = this.area;
-    pen.textAlign = "center";
-    pen.textBaseline = "bottom";
-    pen.fillText(this.xLabel || "", left + width / 2, this.height - 4);
+    write(pen, this.xLabel || "", left + width / 2, this.height - 4, "center", "bottom");
     pen.save();
     pen.translate(14, top + height / 2);
     pen.rotate(-Math.PI / 2);
-    pen.textBaseline = "middle";
-    pen.fillText(this.yLabel || "", 0, 0);
+    write(pen, this.yLabel || "", 0, 0, "center", "middle");
     pen.restore();
   }
 
@@ -134,9 +127,7 @@ class Frame {
     pen.font = this.pen.font;
     key.forEach(([name, s], i) => {
       const [left, row] = places[i], middle = line * row + 2;
-      pen.strokeStyle = cssColour(s.colour);
-      pen.lineWidth = s.width || 1.6;
-      pen.setLineDash(s.dash || []);
+      takeLine(pen, s);
       pen.beginPath();
       pen.moveTo(left, middle);
       pen.lineTo(left + 26, middle);
@@ -154,6 +145,12 @@ class Frame {
     this.pen.moveTo(x0, y0);
     this.pen.lineTo(x1, y1);
     this.pen.stroke();
+  }
+
+  dot(x, y, radius) {
+    this.pen.beginPath();
+    this.pen.arc(x, y, radius, 0, 2 * Math.PI);
+    this.pen.fill();
   }
 
   paintDragged() {
@@ -195,8 +192,7 @@ class Frame {
     const { from, to } = this.dragged || {};
     this.dragged = null;
     if (from && Math.abs(to.x - from.x) > 6 && Math.abs(to.y - from.y) > 6) {
-      const order = (a, b) => (a < b ? [a, b] : [b, a]);
-      this.shown = { x: order(this.fromX(from.x), this.fromX(to.x)), y: order(this.fromY(from.y), this.fromY(to.y)) };
+      this.shown = { x: ascending(this.fromX(from.x), this.fromX(to.x)), y: ascending(this.fromY(from.y), this.fromY(to.y)) };
     }
     this.draw();
   }
@@ -220,6 +216,19 @@ class Frame {
     this.draw();
     showTip("");
   }
+}
+
+function write(pen, text, x, y, align, baseline) {
+  pen.textAlign = align;
+  pen.textBaseline = baseline;
+  pen.fillText(text, x, y);
+}
+
+// That of a series.
+function takeLine(pen, series) {
+  pen.strokeStyle = cssColour(series.colour);
+  pen.lineWidth = series.width || 1.6;
+  pen.setLineDash(series.dash || []);
 }
 
 function showTip(words, event) {

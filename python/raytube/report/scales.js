@@ -8,6 +8,12 @@ function paletteColour(share) {
   return viridis[i].map((from, c) => Math.round(from + rest * (viridis[i + 1][c] - from)));
 }
 
+const shareOf = (level, top, range) => 1 + (level - top) / range;
+const rgbOf = (share) => paletteColour(share).map((c) => c / 255);
+
+// The next even level above a peak.
+const topOf = (peak) => (Number.isFinite(peak) ? 2 * Math.ceil(peak / 2) : 0);
+
 const cssColour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 function tickStep(span, most, degrees) {

@@ -17,12 +17,18 @@ const directionOf = (thetaDeg, phiDeg) => {
 
 const perVertex = () => THREE.VertexColors || true;  // a number in three.js up to r124
 
-function lineSegments(ends, colours, opacity = 1) {
+// Of flat lists of numbers, three to a vertex.
+function geometryOf(positions, colours) {
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(ends, 3));
-  if (colours.length === 3) return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: new THREE.Color(...colours), transparent: opacity < 1, opacity }));
-  geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
-  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ vertexColors: perVertex(), transparent: opacity < 1, opacity }));
+  geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+  if (colours) geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+  return geometry;
+}
+
+// colours: one for all, or one for each end.
+function lineSegments(ends, colours, opacity = 1) {
+  const plain = colours.length === 3, look = plain ? { color: new THREE.Color(...colours) } : { vertexColors: perVertex() };
+  return new THREE.LineSegments(geometryOf(ends, plain ? null : colours), new THREE.LineBasicMaterial({ ...look, transparent: opacity < 1, opacity }));
 }
 
 // A plane spanned by two unit vectors, with levels on it from their peak down. grid as of HeatPlot, but x, y are the outer ends.
@@ -31,8 +37,7 @@ function levelPlane(grid, origin, u, v, range) {
   texture.magFilter = texture.minFilter = THREE.NearestFilter;
   texture.generateMipmaps = false;
   const corner = (a, b) => origin.clone().addScaledVector(u, grid.x[a]).addScaledVector(v, grid.y[b]).toArray();
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].flat()), 3));
+  const geometry = geometryOf(new Float32Array([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].flat()));
   geometry.setAttribute("uv", new THREE.BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
   const plane = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ map: texture, transparent: true, opacity: 0.85, side: THREE.DoubleSide, depthTest: false, depthWrite: false }));
@@ -43,10 +48,8 @@ function levelPlane(grid, origin, u, v, range) {
 function letter(text, at, size) {
   const canvas = make("canvas", { width: 64, height: 64 }), pen = canvas.getContext("2d");
   pen.font = "bold 44px system-ui, sans-serif";
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
   pen.fillStyle = "#8a939c";
-  pen.fillText(text, 32, 32);
+  write(pen, text, 32, 32, "center", "middle");
   const sprite = new THREE.Sprite(new THREE.SpriteMaterial({ map: new THREE.CanvasTexture(canvas), transparent: true }));
   sprite.position.copy(at);
   sprite.scale.set(size, size, 1);
@@ -99,10 +102,8 @@ class SpaceView {
   }
 
   addSurface() {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.BufferAttribute(this.positions, 3));
     this.colours = new Float32Array(this.positions.length);
-    geometry.setAttribute("color", new THREE.BufferAttribute(this.colours, 3));
+    const geometry = geometryOf(this.positions, this.colours);
     geometry.computeVertexNormals();
     this.surface = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: perVertex(), side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
     this.scene.add(this.surface);
@@ -128,8 +129,7 @@ class SpaceView {
     this.changing = new THREE.Group();
     this.scene.add(this.changing);
     const look = this.looks[this.look];
-    this.top = look ? 2 * Math.ceil(Math.max(peakOf(look.sigma[this.channel]), peakOf(look.edgeSigma[this.channel])) / 2) : 0;
-    if (!Number.isFinite(this.top)) this.top = 0;
+    this.top = look ? topOf(Math.max(peakOf(look.sigma[this.channel]), peakOf(look.edgeSigma[this.channel]))) : 0;
     this.paintSurface(look);
     this.surface.visible = this.on.target;
     this.outline.visible = this.on.lines;
@@ -147,8 +147,8 @@ class SpaceView {
   paintSurface(look) {
     const levels = look && this.on.colours ? look.sigma[this.channel] : null;
     for (let i = 0; i < this.colours.length / 9; ++i) {
-      const share = levels ? 1 + (levels[i] - this.top) / this.range : 0;
-      const rgb = share > 0 ? paletteColour(share).map((c) => c / 255) : [0.66, 0.7, 0.74];
+      const share = levels ? shareOf(levels[i], this.top, this.range) : 0;
+      const rgb = share > 0 ? rgbOf(share) : [0.66, 0.7, 0.74];
       for (let j = 0; j < 3; ++j) this.colours.set(rgb, 9 * i + 3 * j);
     }
     this.surface.geometry.attributes.color.needsUpdate = true;
@@ -157,7 +157,7 @@ class SpaceView {
   addLit(look) {
     const ends = [], colours = [], levels = look.edgeSigma[this.channel];
     for (let i = 0; i < levels.length; ++i) {
-      const share = 1 + (levels[i] - this.top) / this.range;
+      const share = shareOf(levels[i], this.top, this.range);
       if (!(share > 0)) continue;
       const rgb = [1, 0.25 + 0.6 * share, 0.2 + 0.3 * share];
       ends.push(...look.edgeEnds.subarray(6 * i, 6 * i + 6));
@@ -283,9 +283,7 @@ function addSpace(data, sweep, isar, centres) {
     addSection("space", "Target", make("p", {}, "No view in space: " + missing));
     return;
   }
-  const holder = make("div", { class: "plot tall space" }), bar = make("canvas");
-  const controls = make("div", { class: "controls" });
-  addSection("space", "Target", controls, holder, make("p", { class: "note" }, spaceWords(data, sweep, centres)));
+  const { controls, holder } = addPlotSection("space", "Target", spaceWords(data, sweep, centres), "plot tall space"), bar = make("canvas");
   const view = new SpaceView(holder, bar, data, sweep, isar, centres);
   holder.append(make("div", { class: "scale" }, bar));
   const part = (name, text) => toggle(text, view.on[name], (on) => { view.on[name] = on; view.show(); });

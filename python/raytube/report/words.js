@@ -36,7 +36,7 @@ function addWords(report) {
 function addUncertainty(record) {
   const parts = record && record.model_uncertainty || [];
   if (!parts.length) return;
-  addSection("uncertainty", "Model uncertainty", make("p", { class: "note" }, "What asymptotic physics leaves out, by its causes; shares of the sum of squares over all rows, VV and HH."),
+  addSection("uncertainty", "Model uncertainty", note("What asymptotic physics leaves out, by cause; shares of the sum of squares over all rows, VV and HH."),
     tableOf(parts.map((part) => [part.what, (100 * part.share).toFixed(1) + "\u00a0%", numberText(part.rms_m, 3), String(part.rows_largest), part.remedy]),
       ["cause", "share", "rms (m)", "rows in which it is the largest", "remedy"]));
 }
@@ -55,16 +55,16 @@ function addSettings(record) {
     if (keys === null || typeof keys !== "object") continue;
     columns.append(make("div", {}, make("h3", {}, section), tableOf(Object.entries(keys).map(([name, value]) => [name, valueText(value)]))));
   }
-  addSection("settings", "Settings", make("p", { class: "note" }, "The case with every default filled in."), columns);
+  addSection("settings", "Settings", note("The case with every default filled in."), columns);
 }
 
 function addMesh(mesh) {
   if (!mesh) return;
   const counts = Object.entries(mesh).filter(([name, value]) => name !== "sha256" && name !== "notes" && typeof value === "number" && value !== 0);
   const notes = (mesh.notes || []).map(valueText);
-  addSection("mesh", "Mesh", make("p", { class: "note" }, "What was read, mended and traced; counts that are zero are left out."),
+  addSection("mesh", "Mesh", note("What was read, mended and traced; counts that are zero are left out."),
     tableOf(counts.map(([name, value]) => [countedWords(name), valueText(value)])), notes.length ? listOf(notes) : "",
-    make("p", { class: "note" }, "SHA-256 " + valueText(mesh.sha256)));
+    note("SHA-256 " + valueText(mesh.sha256)));
 }
 
 function addRun(record) {
