@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Builds the site: the public headers through Doxygen, the examples' figures, the pages through Sphinx. Warnings are errors.
 
-    build.py FOLDER [PYTHON]    the site is in FOLDER/html; exit code 1 on a warning, 77 where a program or a package of Python is missing
+    build.py FOLDER [PYTHON [DRAWN]]    the site is in FOLDER/html; exit code 1 on a warning, 77 where a program or a package is missing
 
-PYTHON is the folder that holds the package raytube. Without one that this Python imports, the pages about it are left out.
+PYTHON is the folder that holds the package raytube. Without one that this Python imports, the pages about it are left out. DRAWN holds a folder
+for each example that has been run, with its figure and what it printed; the others are run.
 """
 import importlib.util
 import os
@@ -20,7 +21,7 @@ SITE = Path(__file__).resolve().parent
 PROGRAMS = ("doxygen", "sphinx-build")
 PACKAGES = ("sphinx", "myst_parser", "furo", "breathe", "numpydoc", "matplotlib", "pandas")
 QUIET = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1",  # nothing is left among the sources
-         "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.argv[2:]))}
+         "PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.argv[2:3]))}
 NAMESPACE = "raytube"
 DOXYGEN = """
 PROJECT_NAME = {name}
@@ -86,6 +87,11 @@ def draw_examples(figures):
     shutil.rmtree(figures, ignore_errors=True)
     figures.mkdir()
     for example in sorted(ROOT.glob("examples/python/*.py")):
+        drawn = [Path(folder, example.stem, f"{example.stem}.{ending}") for folder in sys.argv[3:4] for ending in ("png", "txt")]
+        if drawn and all(file.is_file() for file in drawn):
+            for file in drawn:
+                shutil.copy(file, figures)
+            continue
         with open(figures / f"{example.stem}.txt", "w", encoding="utf-8") as printed:
             subprocess.run([sys.executable, example], cwd=figures, env={**QUIET, "MPLBACKEND": "agg"}, stdout=printed, check=True)
 

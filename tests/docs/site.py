@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The site builds without a warning, and every address in it leads somewhere. 77 where what it is built with is missing.
 
-    site.py FOLDER PYTHON       where it is built; the folder that holds the package raytube
+    site.py FOLDER PYTHON DRAWN       where it is built; the folder that holds the package raytube; that of the examples that have been run
 """
 import subprocess
 import sys

@@ -72,6 +72,7 @@ def run(script, folder):
     folder.mkdir(parents=True)
     printed = subprocess.run([sys.executable, "-B", script], cwd=folder, stdout=subprocess.PIPE, text=True, check=True).stdout
     print(printed)
+    (folder / f"{script.stem}.txt").write_text(printed, encoding="utf-8")
     return printed
 
 

@@ -15,13 +15,14 @@ SQUARE = [[0, 0, 0], [0.3, 0, 0], [0.3, 0.3, 0], [0, 0.3, 0]]
 
 @pytest.fixture(scope="session")
 def program():
-    """The program, called with arguments: what it prints."""
+    """The program, called with arguments: what it prints. No test looks at its pictures, so it finds no Python to draw them, but `with_python`."""
     found = os.environ.get("RAYTUBE_PROGRAM") or shutil.which("raytube")
     if not found:
         pytest.skip("there is no program raytube to compare with; name it in RAYTUBE_PROGRAM")
 
-    def call(*arguments):
-        return subprocess.run([found, *map(str, arguments)], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
+    def call(*arguments, with_python=False):
+        environment = os.environ if with_python else os.environ | {"RAYTUBE_PYTHON": "false"}
+        return subprocess.run([found, *map(str, arguments)], env=environment, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
 
     return call
 

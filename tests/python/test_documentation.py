@@ -85,6 +85,6 @@ def test_the_stub_has_the_names_of_the_module():
 
 def test_types_are_sound():
     pytest.importorskip("mypy")
-    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir=/dev/null", "-p", "raytube"]
+    command = [sys.executable, "-m", "mypy", "--config-file", Path(__file__).with_name("mypy.ini"), "--cache-dir=/dev/null", "-p", "raytube"]
     done = subprocess.run(command, capture_output=True, text=True, cwd=PACKAGE.parent)
     assert done.returncode == 0, done.stdout + done.stderr

@@ -114,7 +114,7 @@ def made(tmp_path_factory, dihedral, program):
     folder = tmp_path_factory.mktemp("made")
     program("run", CASES / "dihedral/case.toml", "-o", folder, "--quiet", "--parts", "--set", "output.plots=false",
             "--set", "frequency.ghz={start=9,stop=11,count=21}", "--set", "look={theta_deg=90,phi_deg={start=35,stop=55,step=1}}",
-            "--set", "output.image_look=3", "--set", "output.netcdf=true")
+            "--set", "output.image_look=3", "--set", "output.image_per_wavelength=3", "--set", "output.netcdf=true")
     for command in ("profile", "isar"):
         program(command, folder / "rcs.csv", "-o", folder, "--quiet")
     return folder

@@ -139,7 +139,7 @@ def test_two_spheres_are_where_their_highlights_are(program, tmp_path):
     spheres = ((0.2, [-1.0, 0.6, 0.0]), (0.1, [0.9, -0.7, 0.0]))
     case = CASES / "two_spheres/case.toml"
     centres = rt.centres(case, look=20, resolution=0.15)
-    program("isar", case, "-o", tmp_path / "isar.nc", "--quiet")
+    program("isar", case, "-o", tmp_path / "isar.nc", "--quiet", "--set", "look.phi_deg={start=-4.4,stop=4.4,count=23}")  # 2.1 m of cross-range
     image = xr.open_dataset(tmp_path / "isar.nc").sel(receive="h", transmit="h").sigma_dbsm
     program("profile", case, "-o", tmp_path / "profile.nc", "--quiet", "--set", "look.phi_deg=0")
     profile = xr.open_dataset(tmp_path / "profile.nc").isel(look=0).sel(receive="v", transmit="v").sigma_dbsm
