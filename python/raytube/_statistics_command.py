@@ -34,7 +34,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--window", metavar="DEG", type=float, help="Also for sectors of this width that slide along the swept angle")
     parser.add_argument("--percentiles", metavar="N,N,...", default="10,50,90", help="Shares of the rows that lie below; default 10,50,90")
     parser.add_argument("--only", metavar="COLUMN=LOW:HIGH", action="append", default=[],
-                        help="Only rows with this: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
+                        help="Take only these rows: COLUMN=VALUE or COLUMN=LOW:HIGH; may be repeated")
     parser.add_argument("--columns", "--result-columns", metavar="OURS=THEIRS,...", default="",
                         help="Names and units of the table's columns, OURS=THEIRS[*FACTOR][+OFFSET],...")
     parser.add_argument("--json", action="store_true", help="Print the numbers as JSON")

@@ -1,11 +1,11 @@
 // raytube centres: a look of a case -> the places that it scatters from.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "case/read_case.h"
 #include "core/ordered_json.h"
 #include "jobs/centres_of_look.h"
 #include "output/products/centres_csv.h"
@@ -16,6 +16,21 @@
 namespace raytube {
 
 namespace {
+
+constexpr const char* centres_examples =
+    R"(Takes everything that scatters at the middle frequency to pieces and finds the strongest places: their amplitude in each
+channel, their mechanism, and the band and angles over which they persist. Writes centres.csv, centres.png, centres.ply and
+by_part.csv.
+
+Examples:
+  raytube centres cases/trihedral/case.toml --look 20
+  raytube centres case.toml -n 20 --resolution 0.05 -o centres)";
+
+struct CentresRequest {
+  RunOptions run;
+  CentresAsked centres;
+  bool json = false;
+};
 
 double relative_db(const ScatteringMatrix& s, const ScatteringMatrix& rest, int p) {
   return 20.0 * std::log10(std::abs(s.at(p, p) - rest.at(p, p)) / std::abs(s.at(p, p)));
@@ -54,12 +69,11 @@ std::string centres_json(const LookCentres& look) {
   return text_of_json(json, 2) + '\n';
 }
 
-}  // namespace
-
-void centres_command(const Request& request) {
-  const ProductRequest& asked = request.product;
+void make_centres(const CentresRequest& asked) {
   Product product{.names = {{"centres.png", "centres.svg"}, {"centres.csv", "centres.ply", "by_part.csv", "centres.nc"}},
-                  .netcdf = "centres.nc"};
+                  .netcdf = "centres.nc",
+                  .from_pieces = true,
+                  .json = asked.json};
   ProductSource& source = product.source;
   LookCentres centres;
   const auto look = [&] { return CentreLook{centres.direction, centres.frequency, centres.side}; };
@@ -70,9 +84,10 @@ void centres_command(const Request& request) {
   product.check = [] {};
   product.make = [&] {
     const std::vector<double>& frequencies = source.of_case->sweep.frequencies;
-    centres = centres_of_look(*source.target, *source.of_case, {request.look, asked.centres, asked.resolution}, request.threads,
-                              progress_of_pieces(request, request.look, frequencies[middle_index(frequencies.size())]));
-    return request.json ? centres_json(centres) : centres_text(centres.found, centres.s);
+    const double middle = frequencies[middle_index(frequencies.size())];
+    centres = centres_of_look(*source.target, *source.of_case, asked.centres, asked.run.work.threads,
+                              progress_of_pieces(asked.run.work.quiet, asked.centres.look, middle));
+    return asked.json ? centres_json(centres) : centres_text(centres.found, centres.s);
   };
   product.write_files = [&](const std::filesystem::path& folder) {
     write_centres_csv(folder / "centres.csv", centres.found, look(), part_of, source.title);
@@ -83,7 +98,25 @@ void centres_command(const Request& request) {
     write_centres_netcdf(file, source.result, centres.found, look(), part_of, source.lines());
   };
   product.drawn = "centres.csv";
-  make_product(request, product);
+  make_product(asked.run, product);
+}
+
+}  // namespace
+
+CLI::App& add_centres(CommandLine& line) {
+  const auto asked = std::make_shared<CentresRequest>();
+  CLI::App& centres = add_command(line, "centres", "Scattering centres of a look", centres_examples);
+  add_case_options(centres, asked->run.input);
+  add_value(centres, "--look I", asked->centres.look, "Direction, counted from 0; default 0", whole_number(0, 1000000000));
+  add_value(centres, "-n,--count N", asked->centres.count, "Maximum number of centres; default 50", whole_number(1, 1000));
+  add_value(centres, "--resolution M", asked->centres.resolution,
+            "Resolution of the places [m]; default that of the case's band, or a sixtieth of the target",
+            number_between(least_length, most_length));
+  add_output_option(centres, asked->run.output, "Folder for the results, or FILE.nc; default <case folder>/out");
+  add_machine_options(line, centres, asked->run.work);
+  add_quiet_option(centres, asked->run.work.quiet, "summary");
+  add_json_option(centres, asked->json);
+  return set_action(line, centres, [asked] { make_centres(*asked); });
 }
 
 }  // namespace raytube

@@ -17,49 +17,49 @@ namespace raytube {
 
 namespace {
 
-std::filesystem::path case_of(const Request& request) {
-  const bool is_product = request.action == profile_command || request.action == isar_command;
-  return is_product ? request.result : request.case_file;
-}
-
-// What all ranks have to agree on, but for the mesh.
-JournalIdentity work_of(const Request& request, const Case& c) {
-  JournalIdentity asked{{"command", request.words.front()}, {"--densities", request.densities}};
-  if (const auto& random = request.random)
-    asked.emplace_back("--launch random", fmt::format("{} {} {}", random->samples, random->seed, random->runs));
+// Everything that the processes must agree on, except for the mesh.
+JournalIdentity identity_of_work(const Work& work, JournalIdentity asked, const Case& c) {
+  asked.insert(asked.begin(), {"command", work.command});
   return shared_work(c, asked);
-}
-
-void help_with(const Request& request, const Case& c, const Target& target) {
-  if (request.action == converge_command) return help_to_converge(request, c, target);
-  const SolvePlan plan = plan_of_case(target, c, request.threads, request.parts || request.random);
-  if (request.random) return help_with_random_tubes(plan, *request.random, request.ranks->team());
-  help_to_solve(plan, request.ranks->team());
 }
 
 }  // namespace
 
-WorkTeam* team_of(const Request& request) { return request.ranks ? &request.ranks->team() : nullptr; }
+WorkTeam* team_of(const Work& work) { return work.ranks ? &work.ranks->team() : nullptr; }
 
-void share_work(const Request& request, const Case& c, const TriangleMesh& mesh) {
-  if (!request.ranks) return;
-  std::string work = text_of_work(work_of(request, c)), bytes = bytes_of_mesh(mesh);
-  request.ranks->broadcast(work);
-  request.ranks->broadcast(bytes);
+void share_work(const Work& work, const JournalIdentity& asked, const Case& c, const TriangleMesh& mesh) {
+  if (!work.ranks) return;
+  std::string identity = text_of_work(identity_of_work(work, asked, c)), bytes = bytes_of_mesh(mesh);
+  work.ranks->broadcast(identity);
+  work.ranks->broadcast(bytes);
 }
 
-// What the user has got wrong the leader finds before it shares the mesh.
-void help_command(const Request& request) {
-  std::string work, bytes;
-  request.ranks->broadcast(work);
-  request.ranks->broadcast(bytes);
-  const Case c = read_case(case_of(request), request.overrides);
-  require_same_work(work_of_text(work), work_of(request, c));
+// The leader finds the user's mistakes before it shares the mesh.
+void help_leader(const Work& work, const CaseInput& input, const JournalIdentity& asked,
+                 const std::function<void(const Case&, const Target&)>& compute) {
+  std::string identity, bytes;
+  work.ranks->broadcast(identity);
+  work.ranks->broadcast(bytes);
+  const Case c = read_case(input.file, input.overrides);
+  require_same_work(work_of_text(identity), identity_of_work(work, asked, c));
   std::optional<Target> target;
-  run_on_threads(request.threads, [&] { target.emplace(mesh_of_bytes(bytes), c.wedges); });
+  run_on_threads(work.threads, [&] { target.emplace(mesh_of_bytes(bytes), c.wedges); });
   bytes = {};
-  help_with(request, c, *target);
-  request.ranks->end();
+  compute(c, *target);
+  work.ranks->end();
+}
+
+JournalIdentity asked_of(const RunOptions& run) {
+  if (!run.random) return {};
+  return {{"--launch random", fmt::format("{} {} {}", run.random->samples, run.random->seed, run.random->runs)}};
+}
+
+void help_to_run(const RunOptions& run) {
+  help_leader(run.work, run.input, asked_of(run), [&](const Case& c, const Target& target) {
+    const SolvePlan plan = plan_of_case(target, c, run.work.threads, run.parts || run.random);
+    if (run.random) return help_with_random_tubes(plan, *run.random, run.work.ranks->team());
+    help_to_solve(plan, run.work.ranks->team());
+  });
 }
 
 }  // namespace raytube

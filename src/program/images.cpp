@@ -18,24 +18,9 @@ constexpr const char* series_name = "image.pvd";
 
 std::string mesh_file(const std::string& name) { return name + "_mesh.vtu"; }
 
-void write_tables(const fs::path& folder, const std::string& name, const Target& target, const Case& c, const LookImage& image) {
-  write_image_csv(folder / (name + ".csv"), c.sweep, image);
-  stop_if_interrupted();
-  std::vector<dvec3> vertices = target.mesh.vertices;
-  for (dvec3& vertex : vertices) vertex += target.mesh.center;
-  write_image_vtu(folder / mesh_file(name), vertices, target.mesh.triangles, image);
-  stop_if_interrupted();
-}
-
 bool is_series(const Case& c) { return c.image_looks.size() > 1; }
 
 std::string name_of_image(const Case& c, std::size_t look) { return is_series(c) ? fmt::format("image_{}", look) : "image"; }
-
-void write_series(const fs::path& folder, const Case& c) {
-  std::vector<SeriesFile> files;
-  for (const std::size_t look : c.image_looks) files.push_back({look, mesh_file(name_of_image(c, look))});
-  write_image_pvd(folder / series_name, files);
-}
 
 }  // namespace
 
@@ -64,12 +49,20 @@ std::vector<std::string> names_of_images(const fs::path& folder) {
 }
 
 void write_images(const fs::path& folder, const SolvePlan& plan, const Case& c) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  std::vector<dvec3> vertices = mesh.vertices;
+  for (dvec3& vertex : vertices) vertex += mesh.center;
+  std::vector<SeriesFile> series;
   for (const std::size_t look : c.image_looks) {
     const std::string name = name_of_image(c, look);
     const LookImage image = image_of_look(plan, look, c.image_per_wavelength, [](double) { return !InterruptFlag::raised(); });
-    write_tables(folder, name, plan.target, c, image);
+    write_image_csv(folder / (name + ".csv"), c.sweep, image);
+    stop_if_interrupted();
+    write_image_vtu(folder / mesh_file(name), vertices, mesh.triangles, image);
+    stop_if_interrupted();
+    series.push_back({look, mesh_file(name)});
   }
-  if (is_series(c)) write_series(folder, c);
+  if (is_series(c)) write_image_pvd(folder / series_name, series);
 }
 
 }  // namespace raytube

@@ -2,10 +2,14 @@
 #include "imaging/isar.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/csv_reader.h"
 #include "core/error.h"
 #include "core/threads.h"
 #include "imaging/range_profile.h"
@@ -16,20 +20,39 @@
 #include "output/products/sweep_samples.h"
 #include "output/tables/csv.h"
 #include "output/vtk/isar_vti.h"
+#include "program/helping.h"
 #include "program/products.h"
 
 namespace raytube {
 
 namespace {
 
-IsarImage direct_image(const Request& request, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
+constexpr const char* isar_examples =
+    R"(Frequencies and one angle give an image in a plane; frequencies, azimuth and elevation an image in space. Writes isar.csv,
+isar.png, isar_pauli.png and isar.vti (for ParaView). A case is run first, into the same folder; if that is interrupted,
+finished looks are kept there for --resume. --plan prints the frequencies and looks that a target needs.
+
+Examples:
+  raytube isar --plan 6 0.1 --ghz 10
+  raytube isar case.toml -o image
+  raytube isar out/rcs.csv -o image --window hann --size 8x8)";
+
+struct IsarRequest : SweepOptions {
+  double pixels = 4.0;                        // cells of the image to a resolution cell
+  std::vector<std::string> size_words;        // what follows --size; the last one may be the input
+  std::vector<double> size;                   // of the image along its axes [m]; empty: the target's
+  std::optional<std::array<double, 2>> plan;  // size and resolution of a target to plan for [m]; nothing is computed
+  double plan_ghz = 10.0;                     // the middle of the planned band
+};
+
+IsarImage direct_image(const SweepOptions& asked, const ProductSource& source, const SweepSamples& samples, const AngleGrid& grid,
                        const IsarOptions& options) {
   double cell = std::numeric_limits<double>::infinity();
   for (const ImageAxis& axis : image_axes(samples, grid, options.window)) cell = std::min(cell, axis.cell / pieces_to_a_cell);
   DirectImage direct(samples, grid);
   const std::size_t middle =
       grid.looks[middle_index(grid.theta_deg.count) * grid.phi_deg.count + middle_index(grid.phi_deg.count)];
-  direct_pieces(request, source, middle, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
+  direct_pieces(asked, source, middle, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
   return direct.image(options, source.name);
 }
 
@@ -47,9 +70,9 @@ std::string image_text(const IsarImage& image, const Window& window) {
                             at.y + 0.0, at.z + 0.0);
 }
 
-// What a case needs for an image of a target of this size with cells of this resolution, as its sections.
+// The sections of a case for an image of a target of this size with cells of this resolution.
 std::string planned_case(double size, double resolution, double ghz) {
-  constexpr double room = 1.5;  // beside the target
+  constexpr double room = 1.5;  // width of the image, in sizes of the target
   const double band = 0.5 * speed_of_light / resolution, step = frequency_step_for(room * size), middle = ghz * 1e9;
   const double frequencies = std::ceil(band / step) + 1.0;
   const double wave = wavelength(middle), angle = 0.5 * wave / resolution / degree,
@@ -69,12 +92,12 @@ std::string planned_case(double size, double resolution, double ghz) {
       angles);
 }
 
-void plan_image(const ProductRequest& asked) {
+void plan_image(const IsarRequest& asked) {
   const auto [size, resolution] = *asked.plan;
   const double band_ghz = 0.5e-9 * speed_of_light / resolution;
   if (band_ghz >= 2.0 * asked.plan_ghz)
     throw InputError(fmt::format(
-        "--plan: a resolution of {:g} m takes a band of {:.4g} GHz, which does not fit about {:g} GHz; ask for a coarser "
+        "--plan: a resolution of {:g} m takes a band of {:.4g} GHz, which does not fit around {:g} GHz; ask for a coarser "
         "one, or for a higher --ghz",
         resolution, band_ghz, asked.plan_ghz));
   if (size < resolution)
@@ -83,12 +106,10 @@ void plan_image(const ProductRequest& asked) {
   fmt::print("{}", planned_case(size, resolution, asked.plan_ghz));
 }
 
-}  // namespace
-
-void isar_command(const Request& request) {
-  const ProductRequest& asked = request.product;
-  if (asked.plan) return plan_image(asked);
-  Product product{.names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti", "isar.nc"}}, .netcdf = "isar.nc"};
+void make_isar(const IsarRequest& asked) {
+  Product product{.names = {{"isar.png", "isar_pauli.png"}, {"isar.csv", "isar.vti", "isar.nc"}},
+                  .netcdf = "isar.nc",
+                  .from_pieces = asked.direct};
   ProductSource& source = product.source;
   AngleGrid grid;
   IsarOptions options{asked.window, {}, asked.pixels};
@@ -107,9 +128,9 @@ void isar_command(const Request& request) {
   };
   product.make = [&] {
     const SweepSamples samples = samples_of(source.result, source.name);
-    run_on_threads(request.threads, [&] {
+    run_on_threads(asked.run.work.threads, [&] {
       image =
-          asked.direct ? direct_image(request, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
+          asked.direct ? direct_image(asked, source, samples, grid, options) : isar_image(samples, grid, options, source.name);
     });
     return image_text(image, asked.window);
   };
@@ -122,7 +143,74 @@ void isar_command(const Request& request) {
     write_isar_netcdf(file, source.result, image, asked.window, source.lines());
   };
   product.drawn = "isar.csv";
-  make_product(request, product);
+  make_product(asked.run, product);
+}
+
+// The lengths of --size [m], "8 8", "8x8" or "8,8,2". If there is no input yet, the last word may be the input that follows them
+// on the command line.
+std::vector<double> lengths_of_size(const std::vector<std::string>& words, std::filesystem::path& input) {
+  std::vector<double> lengths;
+  for (const std::string& word : words) {
+    const std::size_t before = lengths.size();
+    for (std::size_t at = 0, end = 0; at <= word.size(); at = end + 1) {
+      end = std::min(word.find_first_of("x,", at), word.size());
+      const std::optional<double> length = parsed_number(word.substr(at, end - at));
+      if (length && *length >= least_length && *length <= most_length) {
+        lengths.push_back(*length);
+        continue;
+      }
+      if (before < 2 || !input.empty() || &word != &words.back())
+        throw InputError(
+            fmt::format("--size: needs two lengths in metres, or three for an image in space, such as 8x8 (found {})", word));
+      lengths.resize(before);
+      input = word;
+      break;
+    }
+  }
+  if (!words.empty() && (lengths.size() < 2 || lengths.size() > 3))
+    throw InputError(
+        fmt::format("--size: needs two lengths in metres, or three for an image in space (found {})", fmt::join(words, " ")));
+  return lengths;
+}
+
+// Options that do not go together.
+void check_options(const CLI::App& isar, const IsarRequest& asked) {
+  check_sidelobes(isar, asked.window);
+  const bool has_input = !asked.run.input.file.empty();
+  if (!asked.plan && !has_input)
+    throw InputError("input is required: a result or a case, or --plan SIZE RESOLUTION; see raytube isar --help");
+  if (asked.plan && has_input) throw InputError("--plan: computes nothing, and takes neither a result nor a case; leave one out");
+  for (const char* option : {"--output", "--set", "--resume", "--size", "--pixels", "--window", "--sidelobes", "--direct"})
+    if (asked.plan && isar.count(option) > 0)
+      throw InputError(fmt::format("{}: has no effect with --plan; leave it out", option));
+  if (!asked.plan && isar.count("--ghz") > 0) throw InputError("--ghz: has no effect without --plan; leave it out");
+}
+
+}  // namespace
+
+CLI::App& add_isar(CommandLine& line) {
+  const auto asked = std::make_shared<IsarRequest>();
+  CLI::App& isar = add_command(line, "isar", "Image of a sweep over frequency and angle (ISAR)", isar_examples);
+  add_sweep_input(isar, *asked, false);
+  add_value(isar, "--size MxM[xM]", asked->size_words,
+            "Size of the image along range, cross-range and height [m]: 8x8, or 8 8; default the target's")
+      ->expected(1, 4);
+  add_value(isar, "--pixels N", asked->pixels, "Cells of the image per resolution cell; default 4", number_between(1.0, 32.0));
+  add_value(isar, "--plan SIZE RESOLUTION", asked->plan,
+            "Print the sweep that a target of this size needs at this resolution [m]", number_between(least_length, most_length));
+  add_value(isar, "--ghz F", asked->plan_ghz, "With --plan: the middle of the band; default 10", number_between(1e-6, 1e9));
+  add_sweep_options(line, isar, *asked);
+  const auto make = [asked, &isar] {
+    asked->size = lengths_of_size(asked->size_words, asked->run.input.file);
+    check_options(isar, *asked);
+    asked->plan ? plan_image(*asked) : make_isar(*asked);
+  };
+  const auto help = [asked] {
+    if (asked->plan) return;
+    lengths_of_size(asked->size_words, asked->run.input.file);
+    help_to_run(asked->run);
+  };
+  return set_action(line, isar, make, help);
 }
 
 }  // namespace raytube

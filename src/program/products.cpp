@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -25,8 +26,6 @@
 #include "output/tables/stored.h"
 #include "program/python.h"
 #include "program/solve_warnings.h"
-#include "program/work/destination.h"
-#include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "solve/pieces.h"
 
@@ -38,30 +37,24 @@ namespace fs = std::filesystem;
 
 bool is_case(const fs::path& file) { return lower_case(file.extension().string()) == ".toml"; }
 
-// Of a case that is not solved, so that nothing is known of a result.
-std::vector<std::pair<std::string, std::string>> attributes_without_result(const Manifest& manifest) {
-  auto attributes = attributes_of(manifest);
-  std::erase_if(attributes, [](const auto& each) {
-    return each.first == "counts" || each.first == "warnings" || each.first == "model_uncertainty";
-  });
-  return attributes;
-}
-
-// For pieces. What a run of the case is refused for they are refused for, too.
-ProductSource source_of_pieces(const Request& request) {
-  const Case c = read_case(request.result, request.overrides);
+// Refuses every case that a run would refuse.
+ProductSource source_of_pieces(const RunOptions& run) {
+  const Case c = read_case(run.input.file, run.input.overrides);
   LoadedMesh loaded = load_target(c, true);
   warn_of_reading(c, loaded.report);
   const Manifest manifest = described_inputs(c, loaded.report, sha256_of_meshes(c, loaded.report));
   std::shared_ptr<const Target> target;
-  run_on_threads(request.threads, [&] { target = std::make_shared<const Target>(std::move(loaded.mesh), c.wedges); });
-  plan_of_case(*target, c, request.threads, false);
+  run_on_threads(run.work.threads, [&] { target = std::make_shared<const Target>(std::move(loaded.mesh), c.wedges); });
+  plan_of_case(*target, c, run.work.threads, false);
   ProductSource source = source_of(c, std::move(target));
-  source.result.attributes = attributes_without_result(manifest);
+  source.result.attributes = attributes_of(manifest);
+  std::erase_if(source.result.attributes, [](const auto& each) {  // nothing is solved
+    return each.first == "counts" || each.first == "warnings" || each.first == "model_uncertainty";
+  });
   return source;
 }
 
-// The target of a result, if its meshes are where its run had them, and the same.
+// The target of a result, if its meshes are still where the run found them, and unchanged.
 std::shared_ptr<const Target> target_of(const Json& run) {
   try {
     const Case c = read_case(text_at(run, "case_file"), settings_of_run(run));
@@ -73,76 +66,89 @@ std::shared_ptr<const Target> target_of(const Json& run) {
   }
 }
 
-// Of the table that a result is, or is a copy of.
-std::string rcs_csv_sha256_of(const fs::path& file, const StoredResult& result) {
-  if (!is_netcdf_name(file)) return sha256_of_file(file);
-  return attribute_of(result, "rcs_csv_sha256");
-}
-
-// All that scatters in one look of the case, at the frequency in the middle of its list.
-void pieces_of_look(const Request& request, const ProductSource& source, std::size_t look, double cell, const PieceSink& sink) {
-  const Case& c = *source.of_case;
-  SolveOptions options{c.tubes, c.edges, c.surfaces, request.threads};
-  const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
-  options.progress = progress_of_pieces(request, look, frequency);
-  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, sink, c.ground); });
-}
-
-// A result that is there, or pieces.
-ProductSource product_source(const Request& request) {
-  const std::string file = request.result.string();
-  if (request.ranks)
-    throw InputError(fmt::format("{}: nothing is solved that several processes could share; start one alone", file));
-  if (request.resume)
-    throw InputError(fmt::format("--resume: nothing is solved of {} that could have been stopped; leave it out", file));
-  if (is_case(request.result)) return source_of_pieces(request);
-  if (request.product.direct)
-    throw InputError(fmt::format("{} is no case (.toml); only a case says where its S comes from", file));
-  if (!request.overrides.empty())
-    throw InputError(fmt::format("--set {}: means nothing for a result that is there; leave it out, or give a case",
-                                 request.overrides.front()));
-  return stored_source(request.result);
-}
-
-std::vector<InputFile> inputs_of(const Request& request, const ProductSource& source) {
-  if (source.of_case) return input_files(*source.of_case);
-  return {{"the result", request.result}};
-}
-
-void print_places(const ResultNames& names, const NewResults& results, const Destination& destination) {
-  if (destination.one_file()) return fmt::print("results            {}\n", destination.text());
-  std::vector<std::string> written = names.tables;
-  written.insert(written.end(), names.pictures.begin(), names.pictures.end());
-  std::erase_if(written, [&](const std::string& name) { return !results.has_placed(name); });
-  fmt::print("results            {}: {}\n", destination.text(), fmt::join(written, ", "));
-}
-
-}  // namespace
-
-ProductSource source_of(const Case& c, std::shared_ptr<const Target> target) {
-  return {c, c.file.string(), c.title, stored_sweep(c.sweep), std::move(target)};
-}
-
 ProductSource stored_source(const fs::path& file) {
   ProductSource source{.of_case = {}, .name = file.string(), .title = file.filename().string(), .result = {}, .target = {}};
   source.result = is_netcdf_name(file) ? read_netcdf(file) : read_rcs_csv(file);
   if (const std::string title = attribute_of(source.result, "title"); !title.empty()) source.title = title;
   std::ifstream in(fs::absolute(file).parent_path() / "run.json");
   const Json run = json_of(std::string{std::istreambuf_iterator<char>(in), {}});
-  if (run.is_discarded() || text_at(run, "rcs_csv_sha256") != rcs_csv_sha256_of(file, source.result)) return source;
+  if (run.is_discarded()) return source;
+  const std::string table = is_netcdf_name(file) ? attribute_of(source.result, "rcs_csv_sha256") : sha256_of_file(file);
+  if (text_at(run, "rcs_csv_sha256") != table) return source;
   if (const Json* const resolved = find(run, "case"); resolved && !text_at(*resolved, "title").empty())
     source.title = text_at(*resolved, "title");
   source.target = target_of(run);
   return source;
 }
 
-std::function<bool(double)> progress_of_pieces(const Request& request, std::size_t look, double frequency) {
-  return [&request, look, frequency, bar = std::shared_ptr<ProgressBar>()](double share) mutable {
+ProductSource source_without_run(const RunOptions& run, bool from_pieces) {
+  const std::string file = run.input.file.string();
+  if (run.work.ranks)
+    throw InputError(fmt::format("{}: nothing is solved here for several processes to share; start a single one", file));
+  if (run.resume)
+    throw InputError(fmt::format("--resume: nothing is solved for {}, so that there is nothing to resume; leave it out", file));
+  if (is_case(run.input.file)) return source_of_pieces(run);
+  if (from_pieces) throw InputError(fmt::format("{} is not a case (.toml); only a case says where its S comes from", file));
+  if (!run.input.overrides.empty())
+    throw InputError(
+        fmt::format("--set {}: has no effect on a finished result; leave it out, or give a case", run.input.overrides.front()));
+  return stored_source(run.input.file);
+}
+
+}  // namespace
+
+void add_sweep_input(CLI::App& command, SweepOptions& options, bool required) {
+  add_value(command, "input RESULT.csv|.nc|DIR|CASE.toml", options.run.input.file,
+            "Result of a run, its folder, or a case to be run first")
+      ->required(required);
+}
+
+void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& options) {
+  Window& window = options.window;
+  command
+      .add_option_function<std::string>(
+          "--window", [&window](const std::string& name) { window.kind = *window_of_name(name); },
+          "rectangular, hann, hamming, taylor (the default) or kaiser: lower side lobes, wider peaks")
+      ->type_name("NAME")
+      ->check([](const std::string& name) {
+        return window_of_name(name) ? "" : "needs rectangular, hann, hamming, taylor or kaiser (found " + name + ")";
+      });
+  add_value(command, "--sidelobes DB", window.sidelobe_db, "taylor, kaiser: level of the side lobes below the peak; default 35",
+            number_between(least_sidelobe_db, most_sidelobe_db));
+  CLI::Option* direct = command.add_flag(
+      "--direct", options.direct,
+      "For a case: from the place of every current, in the middle look at the middle frequency, without the sweep");
+  const std::string all = fmt::format("{}", fmt::join(scattering_mechanisms, ", "));
+  add_value(command, "--mechanisms NAME,...", options.mechanisms, "With --direct, these alone: " + all,
+            [all](const std::string& name) {
+              const bool known = std::ranges::find(scattering_mechanisms, std::string_view(name)) != scattering_mechanisms.end();
+              return known ? "" : fmt::format("needs {} (found {})", all, name);
+            })
+      ->delimiter(',')
+      ->needs(direct);
+  RunOptions& run = options.run;
+  add_set_option(command, run.input);
+  command.add_flag("--resume", run.resume, "Continue an interrupted run: keep the finished looks in the folder");
+  add_output_option(command, run.output, "Folder for the results, or FILE.nc; default <case folder>/out, or that of the result");
+  add_machine_options(line, command, run.work);
+  add_quiet_option(command, run.work.quiet, "summary");
+}
+
+void check_sidelobes(const CLI::App& command, const Window& window) {
+  if (command.count("--sidelobes") > 0 && window.kind != WindowKind::taylor && window.kind != WindowKind::kaiser)
+    throw InputError(fmt::format(
+        "--sidelobes: a {} window has side lobes of its own; leave it out, or write --window taylor or kaiser", name_of(window)));
+}
+
+ProductSource source_of(const Case& c, std::shared_ptr<const Target> target) {
+  return {c, c.file.string(), c.title, stored_sweep(c.sweep), std::move(target)};
+}
+
+std::function<bool(double)> progress_of_pieces(bool quiet, std::size_t look, double frequency) {
+  return [quiet, look, frequency, bar = std::shared_ptr<ProgressBar>()](double share) mutable {
     if (!bar)
-      bar = std::make_shared<ProgressBar>(request.quiet,
-                                          fmt::format("taking look {} at {:g} GHz to pieces", look, frequency * 1e-9));
-    bar->show(share);
-    return !InterruptFlag::raised();
+      bar = std::make_shared<ProgressBar>(quiet, fmt::format("taking look {} at {:g} GHz to pieces", look, frequency * 1e-9));
+    return bar->show(share);
   };
 }
 
@@ -152,16 +158,22 @@ std::vector<std::array<dvec3, 2>> ProductSource::lines() const {
   return target ? lines_of(*target) : std::vector<std::array<dvec3, 2>>{};
 }
 
-void direct_pieces(const Request& request, const ProductSource& source, std::size_t look, double cell,
+void direct_pieces(const SweepOptions& asked, const ProductSource& source, std::size_t look, double cell,
                    const std::function<void(const PlacedScatterer&)>& sink) {
-  const std::vector<std::string>& wanted = request.product.mechanisms;
+  const Case& c = *source.of_case;
+  const RunOptions& run = asked.run;
+  const double frequency = c.sweep.frequencies[middle_index(c.sweep.frequencies.size())];
+  SolveOptions options{c.tubes, c.edges, c.surfaces, run.work.threads};
+  options.progress = progress_of_pieces(run.work.quiet, look, frequency);
+  const std::vector<std::string>& wanted = asked.mechanisms;
   bool any = false;
-  pieces_of_look(request, source, look, cell, [&](const ScatteringPiece& piece) {
+  const PieceSink keep_wanted = [&](const ScatteringPiece& piece) {
     const std::string name = name_of(piece.mechanism);
     if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
     any = any || largest_amplitude(piece.s) > 0.0;
     sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
-  });
+  };
+  naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, keep_wanted, c.ground); });
   if (!wanted.empty() && !any)
     throw InputError(fmt::format("--mechanisms {}: add nothing in look {}; leave the option out, or name others",
                                  fmt::join(wanted, ","), look));
@@ -171,62 +183,34 @@ void Product::write(const fs::path& folder, const Destination& destination, bool
   if (!destination.one_file()) {
     write_files(folder);
     stop_if_interrupted();
-    const std::string trouble = draw_with_python(folder, {drawn}, run.empty() ? folder : run);
-    if (!trouble.empty()) warn(trouble);
+    draw_with_python(folder, {drawn}, run.empty() ? folder : run);
   }
   if (destination.one_file() || with_netcdf) write_netcdf(folder / (destination.one_file() ? destination.file : netcdf));
   stop_if_interrupted();
 }
 
-std::vector<double> lengths_of_size(const std::vector<std::string>& words, fs::path& input) {
-  constexpr double least = 1e-6, most = 1e6;  // [m]
-  std::vector<double> lengths;
-  for (const std::string& word : words) {
-    const std::size_t before = lengths.size();
-    for (std::size_t at = 0, end = 0; at <= word.size(); at = end + 1) {
-      end = std::min(word.find_first_of("x,", at), word.size());
-      const std::optional<double> length = parsed_number(word.substr(at, end - at));
-      if (length && *length >= least && *length <= most) {
-        lengths.push_back(*length);
-        continue;
-      }
-      if (before < 2 || !input.empty() || &word != &words.back())
-        throw InputError(
-            fmt::format("--size: needs two lengths in metres, or three of an image in space, such as 8x8 (found {})", word));
-      lengths.resize(before);
-      input = word;
-      break;
-    }
-  }
-  if (!words.empty() && (lengths.size() < 2 || lengths.size() > 3))
-    throw InputError(
-        fmt::format("--size: needs two lengths in metres, or three of an image in space (found {})", fmt::join(words, " ")));
-  return lengths;
-}
-
-void make_product(const Request& request, Product& product) {
-  Request run = request;
-  run.case_file = run.result = result_in(request.result);
-  if (is_case(run.result) && !request.product.direct) return run_case(run, &product);
-  product.source = product_source(run);
+void make_product(RunOptions run, Product& product) {
+  run.input.file = result_in(run.input.file);
+  if (is_case(run.input.file) && !product.from_pieces) return run_case(run, &product);
+  product.source = source_without_run(run, product.from_pieces);
   const ProductSource& source = product.source;
   if (attribute_of(source.result, "title").empty()) product.source.result.attributes.emplace_back("title", source.title);
-  const fs::path folder_of_input = fs::absolute(run.result).parent_path();
-  const Destination destination = destination_of(
-      request.output_folder, source.of_case ? folder_of_input / "out" : folder_of_input, product.names.tables.front().c_str());
+  const fs::path folder_of_input = fs::absolute(run.input.file).parent_path();
+  const Destination destination = destination_of(run.output, source.of_case ? folder_of_input / "out" : folder_of_input,
+                                                 product.names.tables.front().c_str());
   const ResultNames names = destination.one_file() ? ResultNames{{}, {destination.file}} : product.names;
-  check_output(destination.folder, names, inputs_of(run, source));
-  product.run = source.of_case ? run.result : folder_of_input;
+  check_output(destination.folder, names,
+               source.of_case ? input_files(*source.of_case) : std::vector<InputFile>{{"the result", run.input.file}});
+  product.run = source.of_case ? run.input.file : folder_of_input;
   product.check();
   const std::string text = product.make();
-  if (!request.quiet || request.json) fmt::print("{}", text);
-  const OutputFolder folder(destination.folder);
-  AllOrNothing ending(folder);
-  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
-  NewResults results(folder.path());
-  product.write(results.folder(), destination, source.of_case && source.of_case->netcdf);
-  replace_results(results, folder.path(), names, {}, [&ending] { ending.complete(); });
-  if (!request.quiet && !request.json) print_places(names, results, Destination{folder.path(), destination.file});
+  if (!run.work.quiet || product.json) fmt::print("{}", text);
+  AllOrNothing results(destination.folder);
+  const std::vector<std::string> placed = results.place(
+      names, [&](const fs::path& folder) { product.write(folder, destination, source.of_case && source.of_case->netcdf); });
+  if (run.work.quiet || product.json) return;
+  const std::string list = destination.one_file() ? "" : fmt::format(": {}", fmt::join(placed, ", "));
+  fmt::print("results            {}{}\n", Destination{results.folder(), destination.file}.text(), list);
 }
 
 }  // namespace raytube

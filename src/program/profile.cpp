@@ -1,7 +1,7 @@
 // raytube profile: a sweep of frequencies -> range profiles.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <CLI/CLI.hpp>
 #include <array>
 #include <map>
 
@@ -13,28 +13,27 @@
 #include "output/products/profile_netcdf.h"
 #include "output/products/sweep_samples.h"
 #include "output/tables/csv.h"
+#include "program/helping.h"
 #include "program/products.h"
 
 namespace raytube {
 
 namespace {
 
-// The look in the middle alone.
-std::size_t keep_middle_look(StoredResult& result) {
-  const std::size_t look = middle_index(result.looks.size());
-  result.looks = {result.looks[look]};
-  return look;
-}
+constexpr const char* profile_examples =
+    R"(Writes profile.csv, profile.png and .svg, and for several looks waterfall.png and .svg. A case is run first, into the same
+folder; if that is interrupted, finished looks are kept there for --resume.
 
-std::vector<ScatteringMatrix> direct_sweep(const Request& request, const ProductSource& source, std::size_t look,
-                                           const SweepSamples& samples) {
-  DirectSweep direct(samples.frequency, samples.looks.front().transmit);
-  direct_pieces(request, source, look, range_limits(samples.frequency, {}).cell / pieces_to_a_cell,
-                [&](const PlacedScatterer& piece) { direct.add(piece); });
-  return direct.scattering();
-}
+Examples:
+  raytube profile out/rcs.csv
+  raytube profile case.toml -o profile --window hann
+  raytube profile rcs.nc -o profile.nc --window taylor --sidelobes 50)";
 
-// Sweeps from several files may have a look twice.
+struct ProfileRequest : SweepOptions {
+  int padding = 4;  // ranges to a resolution cell
+};
+
+// Sweeps from several files may contain a look twice.
 void warn_of_repeated_looks(const ProductSource& source) {
   std::map<std::array<double, 6>, std::size_t> known;
   for (std::size_t i = 0; i < source.result.looks.size(); ++i) {
@@ -59,25 +58,29 @@ std::string limits_text(const RangeProfiles& profiles, const Window& window) {
                      name_of(window), limits.unambiguous);
 }
 
-}  // namespace
-
-void profile_command(const Request& request) {
-  const ProductRequest& asked = request.product;
+void make_profile(const ProfileRequest& asked) {
   Product product{.names = {{"profile.png", "profile.svg", "waterfall.png", "waterfall.svg"}, {"profile.csv", "profile.nc"}},
-                  .netcdf = "profile.nc"};
+                  .netcdf = "profile.nc",
+                  .from_pieces = asked.direct};
   ProductSource& source = product.source;
-  std::size_t look = 0;  // of the pieces
+  std::size_t look = 0;  // of the direct sweep
   double middle = 0.0;
   RangeProfiles profiles;
   product.check = [&] {
-    if (asked.direct) look = keep_middle_look(source.result);
+    look = middle_index(source.result.looks.size());
+    if (asked.direct) source.result.looks = {source.result.looks[look]};
     warn_of_repeated_looks(source);
     middle = middle_range(samples_of(source.result, source.name), source.outermost(), source.name);
   };
   product.make = [&] {
     SweepSamples samples = samples_of(source.result, source.name);
-    if (asked.direct) samples.s = direct_sweep(request, source, look, samples);
-    run_on_threads(request.threads, [&] { profiles = range_profiles(samples, {asked.window, asked.padding, middle}); });
+    if (asked.direct) {
+      DirectSweep direct(samples.frequency, samples.looks.front().transmit);
+      const double cell = range_limits(samples.frequency, {}).cell / pieces_to_a_cell;
+      direct_pieces(asked, source, look, cell, [&](const PlacedScatterer& piece) { direct.add(piece); });
+      samples.s = direct.scattering();
+    }
+    run_on_threads(asked.run.work.threads, [&] { profiles = range_profiles(samples, {asked.window, asked.padding, middle}); });
     return limits_text(profiles, asked.window) + peak_text(source, profiles.peak);
   };
   product.write_files = [&](const std::filesystem::path& folder) {
@@ -87,7 +90,23 @@ void profile_command(const Request& request) {
     write_profile_netcdf(file, source.result, profiles, asked.window);
   };
   product.drawn = "profile.csv";
-  make_product(request, product);
+  make_product(asked.run, product);
+}
+
+}  // namespace
+
+CLI::App& add_profile(CommandLine& line) {
+  const auto asked = std::make_shared<ProfileRequest>();
+  CLI::App& profile =
+      add_command(line, "profile", "Range profiles of a sweep over frequency, and their waterfall", profile_examples);
+  add_sweep_input(profile, *asked, true);
+  add_value(profile, "--padding N", asked->padding, "Ranges per resolution cell; default 4", whole_number(1, 64));
+  add_sweep_options(line, profile, *asked);
+  const auto make = [asked, &profile] {
+    check_sidelobes(profile, asked->window);
+    make_profile(*asked);
+  };
+  return set_action(line, profile, make, [asked] { help_to_run(asked->run); });
 }
 
 }  // namespace raytube

@@ -6,6 +6,7 @@
 
 #include "output/picture/child_process.h"
 #include "program/work/exit_codes.h"
+#include "program/work/results.h"
 
 namespace raytube {
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr int no_package = 93;
 
-// What is missing is said here in one sentence once no interpreter has the package.
+// Says nothing where the package is missing: the sentence about that comes once, after the last interpreter.
 constexpr const char* start =
     "import sys\n"
     "try:\n"
@@ -67,16 +68,18 @@ int run_python(const std::vector<std::string>& words) {
   return exit_code::machine_failed;
 }
 
-std::string draw_with_python(const fs::path& folder, const std::vector<std::string>& files, const fs::path& run) {
+bool draw_with_python(const fs::path& folder, const std::vector<std::string>& files, const fs::path& run) {
   std::vector<std::string> words = {"plot", "--quiet", "--run", run.string()};
   for (const std::string& file : files) words.push_back((folder / file).string());
   const int code = python(words, ChildOutput::silent);
-  if (code == 0) return "";
+  stop_if_interrupted();
   if (code == no_package || code == exit_code::machine_failed)
-    return "no pictures: the Python package raytube draws them, and it or matplotlib is not installed; raytube plot DIR, with "
-           "the folder of "
-           "the results, draws them later";
-  return fmt::format("no pictures: raytube plot failed; run by hand on {} it says why", files.front());
+    warn(
+        "no pictures: the Python package raytube draws them, and it or matplotlib is not installed; raytube plot DIR, with the "
+        "folder of the results, draws them later");
+  else if (code != 0)
+    warn(fmt::format("no pictures: raytube plot failed; run it by hand on {} to see why", files.front()));
+  return code == 0;
 }
 
 }  // namespace raytube

@@ -41,7 +41,7 @@ bool warn_of_unusable_rows(const Statistics& statistics) {
 
 UnusableRows unusable_rows_in(const std::filesystem::path& folder) {
   return UnusableRows(
-      fmt::format("{}: the results are written, but hold rows that must not be used, as said above", folder.string()));
+      fmt::format("{}: the results are written, but hold rows that must not be used, as reported above", folder.string()));
 }
 
 }  // namespace raytube

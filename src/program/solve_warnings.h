@@ -1,4 +1,4 @@
-// What is to be said of the mesh before a case is solved, and of rows that came out.
+// Warnings about the mesh before a case is solved, and about the computed rows.
 #pragma once
 
 #include <filesystem>
@@ -10,19 +10,19 @@
 
 namespace raytube {
 
-/// Warns of what is to be said of the mesh files as they were read.
+/// Warns about the mesh files as they were read.
 void warn_of_reading(const Case& c, const MeshReport& report);
 
-/// Warns of what of the materials is not seen as it is drawn, and notes it in the manifest.
+/// Warns about materials that are not traced as they are drawn, and notes them in the manifest.
 void warn_of_materials(const Case& c, const MeshReport& report, const Target& target, Manifest& manifest);
 
 void warn_of_lost_rays(const Case& c, const Statistics& statistics);
 
-/// Of rows that must not be used, beyond their bound or without a number: a warning for each mechanism that has such rows;
-/// whether there are any.
+/// Warns about rows that must not be used, beyond their bound or without a number, once for each mechanism that has such rows.
+/// Returns whether there are any.
 bool warn_of_unusable_rows(const Statistics& statistics);
 
-/// To be thrown once the results are written: other rows of them are sound.
+/// To be thrown once the results are written: their other rows are sound.
 UnusableRows unusable_rows_in(const std::filesystem::path& folder);
 
 }  // namespace raytube

@@ -1,13 +1,12 @@
-// raytube sources: a scene traced from a point by any launch model, and what each part is hit by.
+// raytube sources: a scene traced from a point by any launch model, and the hits on each part.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 #include "case/source_case.h"
-#include "core/decimal.h"
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/memory.h"
@@ -16,9 +15,8 @@
 #include "output/tables/sources_csv.h"
 #include "point_source/launch_limit.h"
 #include "point_source/ray_hits.h"
-#include "program/commands.h"
+#include "program/options.h"
 #include "program/python.h"
-#include "program/work/interrupt.h"
 #include "program/work/progress_bar.h"
 #include "program/work/results.h"
 
@@ -28,8 +26,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* sources_examples =
+    R"(Traces a scene of named parts from a point, with rays launched by six models, and counts what they hit. Writes sources.csv,
+hits.ply and pictures of the launch points, of the hits on one part and of the errors against rays and time.
+
+Examples:
+  raytube sources cases/double_slit/case.toml
+  raytube sources case.toml --set source.rays=1000000 --set source.models=geometry)";
+
+struct SourcesRequest {
+  CaseInput input;
+  fs::path output;  // empty: <case folder>/out
+  Work work;
+};
+
 constexpr std::size_t most_triangles = 4000;   // for exact shares: their cost grows with the square
-constexpr std::uint64_t sampled_rays = 10000;  // to know how many hits there will be
+constexpr std::uint64_t sampled_rays = 10000;  // to estimate the number of hits
 constexpr double sample_margin = 1.2;
 constexpr std::uint64_t most_launch_points = 4000;  // in a picture
 
@@ -66,7 +78,7 @@ bool lies_on(const TriangleMesh& mesh, std::uint32_t triangle, const dvec3& poin
   return left == 0 || right == 0;
 }
 
-// A scene from one position after the other.
+// Traces a scene from one position after the other.
 class SourceTracing {
  public:
   SourceTracing(const SourceCase& c, int threads)
@@ -77,7 +89,7 @@ class SourceTracing {
     }
     study_.title = c.title;
     study_.counted = c.counted;
-    // Refuses now what the last position would be refused for.
+    // Refuses a bad position now, not after the positions before it.
     for (std::size_t i = 0; i < c.points.size(); ++i) require_free(i);
     for (std::size_t i = 0; i < c.points.size(); ++i)
       for (const LaunchModel model : c.models) launch(i, model, 1);
@@ -91,8 +103,8 @@ class SourceTracing {
     }
   }
 
-  /// Throws InputError if the hits to be shown find no room: those of each model's largest launch are kept, while they are put
-  /// together three times over. How many a ray makes, a sample tells, taken only where the most of them would not fit.
+  /// Throws InputError if memory cannot hold the hits for the pictures: those of each model's largest launch, three times over
+  /// while they are collected. A sample estimates the hits of a ray, and is taken only if their largest number would not fit.
   void check_memory() const {
     const double rays = static_cast<double>(case_.rays.back()), models = static_cast<double>(case_.models.size());
     const double available = memory_to_be_had(), bytes_per_ray = (case_.max_reflections + 1.0) * sizeof(CountedHit);
@@ -118,7 +130,7 @@ class SourceTracing {
     return {&mesh, box_, case_.points[position] - mesh.center, case_.wall, weld_fraction * box_.diagonal()};
   }
 
-  // From a point of a surface one sees neither that surface nor all that lies behind it.
+  // A source on a surface would see neither that surface nor anything behind it.
   void require_free(std::size_t position) const {
     const LaunchSite at = site(position);
     for (std::uint32_t t = 0; t < joined_.mesh.triangles.size(); ++t)
@@ -139,11 +151,6 @@ class SourceTracing {
     return exact() ? visible_pieces(joined_.mesh, eye) : std::vector<VisiblePiece>();
   }
 
-  const std::vector<VisiblePiece>& seen_by_plane_wave(const Eye& eye) {
-    if (!plane_wave_sees_) plane_wave_sees_ = seen_from(eye);
-    return *plane_wave_sees_;
-  }
-
   void run_model(std::size_t position, LaunchModel model, const std::vector<VisiblePiece>& seen) {
     const bool shown = position == 0;
     if (shown) study_.views.push_back({model, 0, 0, {}, {}});
@@ -157,10 +164,24 @@ class SourceTracing {
           seconds,  std::move(hits.parts)};
       if (exact()) add_exact(rays, seen, run);
       study_.runs.push_back(std::move(run));
-      if (shown && asked == case_.rays.front()) keep_launch_points(rays);
-      if (shown && asked == case_.rays.back()) keep_hits(rays, std::move(hits.hits));
+      if (shown) show(rays, asked, std::move(hits.hits));
       ++finished_;
     }
+  }
+
+  // Keeps launch points and hits for the pictures: those of the smallest launch, and of the largest.
+  void show(const Launch& rays, std::uint64_t asked, std::vector<CountedHit> hits) {
+    SourceView& view = study_.views.back();
+    const dvec3& origin = joined_.mesh.center;
+    if (asked == case_.rays.front()) {
+      view.launched = rays.rays();
+      const std::uint64_t step = (rays.rays() + most_launch_points - 1) / most_launch_points;
+      for (std::uint64_t i = 0; i < rays.rays(); i += step) view.launch_points.push_back(rays.ray(i).through + origin);
+    }
+    if (asked != case_.rays.back()) return;
+    for (CountedHit& hit : hits) hit.point += origin;
+    view.traced = rays.rays();
+    view.hits = std::move(hits);
   }
 
   double sampled_hits_per_ray(LaunchModel model) const {
@@ -179,7 +200,8 @@ class SourceTracing {
 
   void add_exact(const Launch& rays, const std::vector<VisiblePiece>& seen, SourceRun& run) {
     const double tolerance = cut_tolerance(joined_.mesh, rays.eye());
-    const std::vector<VisiblePiece>& lit = rays.eye().direction ? seen_by_plane_wave(rays.eye()) : seen;
+    if (rays.eye().direction && !plane_wave_sees_) plane_wave_sees_ = seen_from(rays.eye());
+    const std::vector<VisiblePiece>& lit = rays.eye().direction ? *plane_wave_sees_ : seen;
     const auto limits = launch_limits(rays, lit, joined_.triangle_part, run.parts.size(), tolerance);
     for (std::size_t part = 0; part < limits.size(); ++part) {
       PartHits& hits = run.parts[part];
@@ -191,19 +213,6 @@ class SourceTracing {
     const dvec3 source = site(run.position).source;
     for (const VisiblePiece& piece : seen)
       run.parts[joined_.triangle_part[piece.triangle]].exact += solid_angle(piece.outline, source) / (4.0 * pi);
-  }
-
-  void keep_launch_points(const Launch& rays) {
-    SourceView& view = study_.views.back();
-    view.launched = rays.rays();
-    const std::uint64_t step = (rays.rays() + most_launch_points - 1) / most_launch_points;
-    for (std::uint64_t i = 0; i < rays.rays(); i += step) view.launch_points.push_back(rays.ray(i).through + joined_.mesh.center);
-  }
-
-  void keep_hits(const Launch& rays, std::vector<CountedHit> hits) {
-    for (CountedHit& hit : hits) hit.point += joined_.mesh.center;
-    study_.views.back().traced = rays.rays();
-    study_.views.back().hits = std::move(hits);
   }
 
   const SourceCase& case_;
@@ -230,7 +239,7 @@ void print_run(const SourceRun& run, std::size_t counted) {
 }
 
 void print_summary(const SourceStudy& study, bool exact, const fs::path& folder) {
-  fmt::print("hits on {}, in percent of the rays; response and weighted: of the solid angle, all and direct\n",
+  fmt::print("hits on {} in percent of the rays; response (all) and weighted (direct) in percent of the solid angle\n",
              study.part_names[study.counted]);
   fmt::print("{:>5} {:<11} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "place", "model", "rays", "all", "direct", "limit",
              "response", "weighted", "exact", "seconds");
@@ -245,40 +254,40 @@ ResultNames names_of_source_results(bool plots) {
   return names;
 }
 
-}  // namespace
-
-void sources_command(const Request& request) {
-  const SourceCase c = read_source_case(request.case_file, request.overrides);
-  const fs::path destination = request.output_folder.empty() ? c.file.parent_path() / "out" : request.output_folder;
+void trace_sources(const SourcesRequest& asked) {
+  const SourceCase c = read_source_case(asked.input.file, asked.input.overrides);
+  const fs::path destination = asked.output.empty() ? c.file.parent_path() / "out" : asked.output;
   check_output(destination, names_of_source_results(c.plots), input_files(c));
-  const int threads = request.threads > 0 ? request.threads : all_threads();
+  const int threads = asked.work.threads > 0 ? asked.work.threads : all_threads();
   SourceTracing study(c, threads);
   study.check_memory();
 
-  OutputFolder folder(destination);
-  AllOrNothing ending(folder);
-  const InterruptFlag interrupt_flag([&ending] { return ending.last_words(); });
-  ProgressBar bar(request.quiet, "tracing rays from the source");
-  const auto go_on = [&](double share) {
-    bar.show(share);
-    return !InterruptFlag::raised();
-  };
-  run_on_threads(threads, [&] { study.solve(go_on); });
+  AllOrNothing results(destination);
+  ProgressBar bar(asked.work.quiet, "tracing rays from the source");
+  run_on_threads(threads, [&] { study.solve([&](double share) { return bar.show(share); }); });
   const SourceStudy& result = study.result();
+  const auto write = [&](const fs::path& folder) {
+    write_sources_csv(folder / "sources.csv", result);
+    stop_if_interrupted();
+    write_hits_ply(folder / "hits.ply", result);
+    write_launch_ply(folder / "launch.ply", result);
+    stop_if_interrupted();
+    if (c.plots) draw_with_python(folder, {"sources.csv"}, c.file);
+  };
+  results.place(names_of_source_results(c.plots), write, names_of_source_results(true).pictures);
+  if (!asked.work.quiet) print_summary(result, study.exact(), results.folder());
+}
 
-  folder.require_there();
-  NewResults results(folder.path());
-  write_sources_csv(results.folder() / "sources.csv", result);
-  stop_if_interrupted();
-  write_hits_ply(results.folder() / "hits.ply", result);
-  write_launch_ply(results.folder() / "launch.ply", result);
-  stop_if_interrupted();
-  const std::string trouble = c.plots ? draw_with_python(results.folder(), {"sources.csv"}, c.file) : "";
-  stop_if_interrupted();
-  if (!trouble.empty()) warn(trouble);
-  replace_results(results, folder.path(), names_of_source_results(c.plots), names_of_source_results(true).pictures,
-                  [&ending] { ending.complete(); });
-  if (!request.quiet) print_summary(result, study.exact(), folder.path());
+}  // namespace
+
+CLI::App& add_sources(CommandLine& line) {
+  const auto asked = std::make_shared<SourcesRequest>();
+  CLI::App& sources = add_command(line, "sources", "Count what rays from a point hit, for six launch models", sources_examples);
+  add_case_options(sources, asked->input);
+  add_output_option(sources, asked->output, "Folder for the results; default <case folder>/out");
+  add_machine_options(line, sources, asked->work);
+  add_quiet_option(sources, asked->work.quiet, "table");
+  return set_action(line, sources, [asked] { trace_sources(*asked); });
 }
 
 }  // namespace raytube

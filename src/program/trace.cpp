@@ -1,6 +1,7 @@
 // raytube trace: one tube, bounce by bounce; all tubes; the rays of waves over curved surfaces.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,7 +18,7 @@
 #include "output/words/tubes_text.h"
 #include "plan/admissible.h"
 #include "plan/ground_paths.h"
-#include "program/commands.h"
+#include "program/options.h"
 #include "program/work/results.h"
 #include "sbr/replay.h"
 #include "sbr/tube_paths.h"
@@ -27,6 +28,29 @@ namespace raytube {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* trace_examples =
+    R"(Prints every bounce of the tube at (U, V), follows all tubes of a look, or writes the rays that waves over curved surfaces
+follow.
+
+Examples:
+  raytube trace case.toml --look 0 --u 0.01 --v -0.02
+  raytube trace case.toml --look 0 --all --paths paths.vtp --hits hits.vtu
+  raytube trace case.toml --look 0 --surface-rays surface_rays.vtp)";
+
+struct TraceRequest {
+  CaseInput input;
+  std::size_t look = 0;
+  bool tube = false;        // the one at (u, v)
+  double u = 0.0, v = 0.0;  // launch coordinates [m], origin = mesh origin
+  bool all_tubes = false;
+  std::uint64_t most_tubes = 10000;  // of all tubes
+  fs::path paths_vtp;                // of all tubes; empty: none wanted
+  fs::path hits_vtu;                 // of all tubes; empty: none wanted
+  fs::path rays_vtp;                 // over curved surfaces; empty: none wanted
+};
+
 std::string vector_text(const dvec3& v) {
   return fmt::format("({: .9g}, {: .9g}, {: .9g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);  // + 0.0: no "-0"
 }
@@ -35,33 +59,30 @@ std::string direction_text(const Direction& d) {
   return fmt::format("theta {} deg, phi {} deg", number_text(decimal_degrees(d.theta)), number_text(decimal_degrees(d.phi)));
 }
 
-// Real where it is real, else with its imaginary part behind it.
+// A real field without an imaginary part, any other with both parts.
 std::string field_text(const ComplexVector& e) {
   const std::string real = vector_text(e.re);
   return e.im == dvec3(0.0) ? real : fmt::format("{} + j {}", real, vector_text(e.im));
 }
 
-double incidence_deg(const dvec3& direction_in, const dvec3& normal) {
-  return std::acos(std::clamp(std::abs(glm::dot(direction_in, normal)), 0.0, 1.0)) / degree;
-}
-
 void print_bounce(int number, const TubeBounce& bounce, const dvec3& direction_in, const dvec3& mesh_center) {
+  const double cosine = std::clamp(std::abs(glm::dot(direction_in, bounce.normal)), 0.0, 1.0);
   fmt::print("bounce {}: triangle {}, patch {}\n", number, bounce.triangle, bounce.patch);
   fmt::print("  point          {} m\n", vector_text(bounce.point + mesh_center));
   fmt::print("  normal         {}\n", vector_text(bounce.normal));
-  fmt::print("  incidence      {:.6g} deg\n", incidence_deg(direction_in, bounce.normal));
+  fmt::print("  incidence      {:.6g} deg\n", std::acos(cosine) / degree);
   fmt::print("  leaves along   {}\n", vector_text(bounce.direction_out));
   fmt::print("  path           {:.12g} m\n", bounce.path);
   fmt::print("  field of V     {}\n", field_text(bounce.field[0]));
   fmt::print("  field of H     {}\n", field_text(bounce.field[1]));
 }
 
-// Of the way on behind what the tube has met as the `met`-th surface.
+// Prints where the tube goes on behind the `met`-th surface that it has met.
 void print_parting(const std::vector<TubeTrace>& ways, std::size_t way, int met) {
   const auto parts_here = [&](const TubeTrace& t) { return t.parting.way == way && t.parting.met == met; };
   const auto behind = std::ranges::find_if(ways.begin() + 1, ways.end(), parts_here);
   fmt::print("  goes on        behind the surface, too: {}\n",
-             behind == ways.end() ? fmt::format("not followed, as a way beyond {}", TubeReplay::most_ways)
+             behind == ways.end() ? fmt::format("not followed, because it lies beyond way {}", TubeReplay::most_ways)
                                   : fmt::format("way {}", behind - ways.begin() + 1));
 }
 
@@ -87,17 +108,22 @@ void print_look(std::size_t index, const Look& look) {
              direction_text(look.receive));
 }
 
-const Look& chosen_look(const Case& c, std::size_t index) {
-  require_look(c, index, c.file.string() + ": --look");
-  return c.sweep.looks[index];
-}
-
-// The grid of a sweep is laid at its highest frequency.
 std::size_t highest_of(const Sweep& sweep) {
   return static_cast<std::size_t>(std::ranges::max_element(sweep.frequencies) - sweep.frequencies.begin());
 }
 
-// Over a medium tubes come straight, or by way of the ground, with a launch grid of their own.
+// A target at the highest frequency of its case, the one that sets the launch grid of a sweep.
+struct TracedScene {
+  const Case& c;
+  const TriangleMesh& mesh;
+  Tracer tracer{mesh};
+  double frequency = std::ranges::max(c.sweep.frequencies);
+  std::vector<Material> materials = at_frequency(c.sweep.materials, highest_of(c.sweep));
+
+  ReplayScene replayed() const { return {tracer, materials, c.sweep.radar}; }
+};
+
+// Over ground, tubes also arrive by way of the ground, with a launch grid of their own.
 void print_lighting(const Look& look, std::size_t which, std::size_t of) {
   if (of == 1) return;
   if (which == 0) return fmt::print("lit straight:\n");
@@ -105,98 +131,73 @@ void print_lighting(const Look& look, std::size_t which, std::size_t of) {
              look.transmit.phi / degree);
 }
 
-void print_tube(const std::vector<TubeTrace>& ways, const dvec3& mesh_center) {
-  const TubeTrace& trace = ways.front();
-  fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", trace.column, trace.row, trace.center.x, trace.center.y);
-  for (std::size_t way = 0; way < ways.size(); ++way) print_way(ways, way, mesh_center);
-}
-
-void trace_at(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
-  const Tracer tracer(mesh);
-  const std::size_t highest = highest_of(c.sweep);
-  const double frequency = c.sweep.frequencies[highest];
-  const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
-  const ReplayScene scene{tracer, materials, c.sweep.radar};
-  const std::vector<Look> lighting = lighting_looks(look, c.ground);
+void trace_at(const TraceRequest& asked, const TracedScene& scene, const Look& look) {
+  const std::vector<Look> lighting = lighting_looks(look, scene.c.ground);
   std::vector<std::vector<TubeTrace>> tubes;
   for (const Look& from : lighting)
-    tubes.push_back(naming_the_case(c, [&] {
-      return TubeReplay(scene, from, frequency, c.tubes).follow({request.u, request.v});
+    tubes.push_back(naming_the_case(scene.c, [&] {
+      return TubeReplay(scene.replayed(), from, scene.frequency, scene.c.tubes).follow({asked.u, asked.v});
     }));
-  print_look(request.look, look);
-  if (!materials.empty()) fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(frequency / 1e9));
+  print_look(asked.look, look);
+  if (!scene.materials.empty())
+    fmt::print("fields at {} GHz, the highest frequency of the case\n", number_text(scene.frequency / 1e9));
   for (std::size_t i = 0; i < tubes.size(); ++i) {
     print_lighting(lighting[i], i, lighting.size());
-    print_tube(tubes[i], mesh.center);
+    const TubeTrace& first = tubes[i].front();
+    fmt::print("tube: column {}, row {}, centre u {:.9g} m, v {:.9g} m\n", first.column, first.row, first.center.x,
+               first.center.y);
+    for (std::size_t way = 0; way < tubes[i].size(); ++way) print_way(tubes[i], way, scene.mesh.center);
   }
 }
 
-// --- all tubes of a look ---
+struct FileOption {
+  const char* name;
+  const char* ending;  // ParaView chooses its reader by it; empty: any
+  std::string_view head;
+};
 
-// ParaView chooses its reader by the ending.
-std::filesystem::path folder_of_vtk_file(const char* option, const std::filesystem::path& file, const char* ending,
-                                         std::string_view head) {
-  if (file.extension() != ending)
-    throw InputError(
-        fmt::format("{} {}: must end in {}, by which ParaView knows what it holds; name it so", option, file.string(), ending));
-  return folder_of_named_file(option, file, head);
+constexpr FileOption paths_option{"--paths", ".vtp", tube_paths_head}, hits_option{"--hits", ".vtu", facet_hits_head},
+    rays_option{"--surface-rays", "", surface_rays_head};
+
+fs::path checked_folder(const FileOption& option, const fs::path& file) {
+  if (*option.ending && file.extension() != option.ending)
+    throw InputError(fmt::format("{} {}: must end in {}, by which ParaView recognises its contents; rename it", option.name,
+                                 file.string(), option.ending));
+  return folder_of_named_file(option.name, file, option.head);
 }
 
-std::filesystem::path folder_of_paths(const std::filesystem::path& file) {
-  return folder_of_vtk_file("--paths", file, ".vtp", tube_paths_head);
-}
-
-std::filesystem::path folder_of_hits(const std::filesystem::path& file) {
-  return folder_of_vtk_file("--hits", file, ".vtu", facet_hits_head);
-}
-
-TubePaths all_tubes(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
-  const Tracer tracer(mesh);
-  const std::size_t highest = highest_of(c.sweep);
-  const std::vector<Material> materials = at_frequency(c.sweep.materials, highest);
-  return naming_the_case(c, [&] {
-    return tube_paths({tracer, materials, c.sweep.radar}, look, c.sweep.frequencies[highest], c.tubes, request.most_tubes);
-  });
-}
-
-void write_paths(const std::filesystem::path& file, const TubePaths& tubes) {
-  NewResults results(folder_of_paths(file));
-  write_tube_paths_vtp(results.folder() / file.filename(), tubes);
+void write_file(const FileOption& option, const fs::path& file, const std::function<void(const fs::path&)>& write) {
+  NewResults results(checked_folder(option, file));
+  write(results.folder() / file.filename());
   results.place({file.filename().string()});
-  fmt::print("paths: {}\n", file.string());
 }
 
-void write_hits(const std::filesystem::path& file, const TriangleMesh& mesh, const FacetHits& hits) {
-  NewResults results(folder_of_hits(file));
-  std::vector<dvec3> vertices = mesh.vertices;
-  for (dvec3& vertex : vertices) vertex += mesh.center;
-  write_facet_hits_vtu(results.folder() / file.filename(), vertices, mesh.triangles, hits);
-  results.place({file.filename().string()});
-  fmt::print("hits: {}\n", file.string());
-}
-
-void trace_all(const Request& request, const Case& c, const Look& look, const TriangleMesh& mesh) {
-  const std::vector<Look> lighting = lighting_looks(look, c.ground);
+void trace_all(const TraceRequest& asked, const TracedScene& scene, const Look& look) {
+  const TriangleMesh& mesh = scene.mesh;
+  const std::vector<Look> lighting = lighting_looks(look, scene.c.ground);
   TubePaths tubes;
   for (std::size_t i = 0; i < lighting.size(); ++i) {
-    TubePaths here = all_tubes(request, c, lighting[i], mesh);
-    if (i == 0 && !request.tube) print_look(request.look, look);
+    TubePaths here = naming_the_case(
+        scene.c, [&] { return tube_paths(scene.replayed(), lighting[i], scene.frequency, scene.c.tubes, asked.most_tubes); });
+    if (i == 0 && !asked.tube) print_look(asked.look, look);
     print_lighting(lighting[i], i, lighting.size());
     fmt::print("{}", tubes_text(here, facet_hits(here, mesh.triangles.size())));
     i == 0 ? void(tubes = std::move(here)) : add_lit_by_ground(tubes, std::move(here));
   }
   const FacetHits hits = facet_hits(tubes, mesh.triangles.size());
-  if (!request.tube_paths_vtp.empty()) write_paths(request.tube_paths_vtp, tubes);
-  if (!request.facet_hits_vtu.empty()) write_hits(request.facet_hits_vtu, mesh, hits);
+  if (!asked.paths_vtp.empty()) {
+    write_file(paths_option, asked.paths_vtp, [&](const fs::path& file) { write_tube_paths_vtp(file, tubes); });
+    fmt::print("paths: {}\n", asked.paths_vtp.string());
+  }
+  if (asked.hits_vtu.empty()) return;
+  std::vector<dvec3> vertices = mesh.vertices;
+  for (dvec3& vertex : vertices) vertex += mesh.center;
+  write_file(hits_option, asked.hits_vtu,
+             [&](const fs::path& file) { write_facet_hits_vtu(file, vertices, mesh.triangles, hits); });
+  fmt::print("hits: {}\n", asked.hits_vtu.string());
 }
 
-// --- rays over curved surfaces ---
-
-std::filesystem::path folder_of_rays(const std::filesystem::path& file) {
-  return folder_of_named_file("--surface-rays", file, surface_rays_head);
-}
-
-// The look alone, at the highest frequency: nothing is computed for others. Over ground those of all of its paths.
+// The rays of this look alone, at the highest frequency; over ground those of all of its paths.
 std::vector<SurfaceRay> surface_rays_of(const Case& c, std::size_t look, TriangleMesh mesh) {
   const Case one = case_of_look(c, look, highest_of(c.sweep));
   const Target target(std::move(mesh), c.wedges);
@@ -210,38 +211,67 @@ std::vector<SurfaceRay> surface_rays_of(const Case& c, std::size_t look, Triangl
   return rays;
 }
 
-void write_rays(const std::filesystem::path& file, std::span<const SurfaceRay> rays, double frequency) {
-  NewResults results(folder_of_rays(file));
-  write_surface_rays_vtp(results.folder() / file.filename(), rays, wavelength(frequency));
-  results.place({file.filename().string()});
-  const auto from_edges = std::ranges::count(rays, SurfaceRayKind::from_an_edge, &SurfaceRay::kind);
-  fmt::print("surface rays: {} at shadow boundaries, {} from edges, at {} GHz: {}\n", std::ssize(rays) - from_edges, from_edges,
-             number_text(frequency / 1e9), file.string());
+// A tube needs both of its coordinates; --all and --surface-rays do without.
+bool wants_tube(const CLI::App& trace) {
+  const bool u = trace.count("--u") > 0, v = trace.count("--v") > 0;
+  if (u != v || (!u && trace.count("--all") + trace.count("--surface-rays") == 0))
+    throw InputError(
+        fmt::format("{} is required, with {} and --look; see raytube trace --help", u ? "--v" : "--u", u ? "--u" : "--v"));
+  return u;
 }
 
-// Better now than after the work.
-void check_files(const Request& request) {
-  if (!request.tube_paths_vtp.empty()) folder_of_paths(request.tube_paths_vtp);
-  if (!request.facet_hits_vtu.empty()) folder_of_hits(request.facet_hits_vtu);
-  if (!request.surface_rays_vtp.empty()) folder_of_rays(request.surface_rays_vtp);
+void trace_look(const TraceRequest& asked) {
+  const Case c = read_case(asked.input.file, asked.input.overrides);
+  require_look(c, asked.look, c.file.string() + ": --look");
+  const Look& look = c.sweep.looks[asked.look];
+  if (!std::isfinite(asked.u) || !std::isfinite(asked.v)) throw InputError("--u and --v must be finite numbers of metres");
+  for (const auto& [option, file] :
+       {std::pair{paths_option, asked.paths_vtp}, {hits_option, asked.hits_vtu}, {rays_option, asked.rays_vtp}})
+    if (!file.empty()) checked_folder(option, file);  // better refused now than after the work
+  LoadedMesh loaded = load_target(c);
+  const Sweep along = c.ground ? sweep_of_paths(c.sweep, *c.ground, false) : c.sweep;
+  naming_the_case(c, [&] { check_antennas(loaded.mesh, along); });
+  if (asked.tube || asked.all_tubes) {
+    const TracedScene scene{c, loaded.mesh};
+    if (asked.tube) trace_at(asked, scene, look);
+    if (asked.all_tubes) trace_all(asked, scene, look);
+  }
+  if (asked.rays_vtp.empty()) return;
+  const std::vector<SurfaceRay> rays = surface_rays_of(c, asked.look, std::move(loaded.mesh));
+  if (!asked.tube && !asked.all_tubes) print_look(asked.look, look);
+  const double frequency = std::ranges::max(c.sweep.frequencies);
+  write_file(rays_option, asked.rays_vtp,
+             [&](const fs::path& file) { write_surface_rays_vtp(file, rays, wavelength(frequency)); });
+  const auto from_edges = std::ranges::count(rays, SurfaceRayKind::from_an_edge, &SurfaceRay::kind);
+  fmt::print("surface rays: {} at shadow boundaries, {} from edges, at {} GHz: {}\n", std::ssize(rays) - from_edges, from_edges,
+             number_text(frequency / 1e9), asked.rays_vtp.string());
 }
 
 }  // namespace
 
-void trace_command(const Request& request) {
-  const Case c = read_case(request.case_file, request.overrides);
-  const Look& look = chosen_look(c, request.look);
-  if (!std::isfinite(request.u) || !std::isfinite(request.v)) throw InputError("--u and --v must be finite numbers of metres");
-  check_files(request);
-  LoadedMesh loaded = load_target(c);
-  const Sweep along = c.ground ? sweep_of_paths(c.sweep, *c.ground, false) : c.sweep;
-  naming_the_case(c, [&] { check_antennas(loaded.mesh, along); });
-  if (request.tube) trace_at(request, c, look, loaded.mesh);
-  if (request.all_tubes) trace_all(request, c, look, loaded.mesh);
-  if (request.surface_rays_vtp.empty()) return;
-  const std::vector<SurfaceRay> rays = surface_rays_of(c, request.look, std::move(loaded.mesh));
-  if (!request.tube && !request.all_tubes) print_look(request.look, look);
-  write_rays(request.surface_rays_vtp, rays, c.sweep.frequencies[highest_of(c.sweep)]);
+CLI::App& add_trace(CommandLine& line) {
+  const auto asked = std::make_shared<TraceRequest>();
+  CLI::App& trace = add_command(line, "trace", "Replay tubes, bounce by bounce; rays over curved surfaces", trace_examples);
+  add_case_options(trace, asked->input);
+  add_value(trace, "--look I", asked->look, "Direction pair, counted from 0", whole_number(0, 1000000000))->required();
+  add_value(trace, "--u U", asked->u,
+            "Launch coordinate along phi-hat, from the mesh's origin [m]; not needed with --all or --surface-rays");
+  add_value(trace, "--v V", asked->v, "Launch coordinate along minus theta-hat, from the mesh's origin [m]");
+  add_value(trace, "--surface-rays FILE.vtp", asked->rays_vtp, "Write the rays of waves over curved surfaces, for ParaView",
+            name_of_a("file"));
+  CLI::Option* all = trace.add_flag("--all", asked->all_tubes, "Follow all tubes of the look and print where they go");
+  add_value(trace, "--tubes N", asked->most_tubes, "Follow at most N of them, evenly spread; default 10000",
+            whole_number(1, 1000000))
+      ->needs(all);
+  add_value(trace, "--paths FILE.vtp", asked->paths_vtp, "Write their paths as lines, for ParaView", name_of_a("file"))
+      ->needs(all);
+  add_value(trace, "--hits FILE.vtu", asked->hits_vtu, "Write the number of their hits on each facet, by bounce, for ParaView",
+            name_of_a("file"))
+      ->needs(all);
+  return set_action(line, trace, [asked, &trace] {
+    asked->tube = wants_tube(trace);
+    trace_look(*asked);
+  });
 }
 
 }  // namespace raytube

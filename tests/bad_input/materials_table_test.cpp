@@ -84,7 +84,7 @@ std::vector<BadRow> material_rows() {
       with_file("glass_incoherent_by_chance", "bad.toml",
                 all_glass + half_space + "eps_r = 2\nroughness_rms_mm = 0.1\n[output]\nincoherent = true\n",
                 "run bad.toml --launch random",
-                "output.incoherent: random tubes do not add up what roughness scatters; remove it, or --launch random"),
+                "output.incoherent: random tubes do not include the scattering by roughness; remove it, or --launch random"),
       glass("resistance_negative", sheet + "resistance_ohm = -1\n",
             "materials.glass.resistance_ohm must be at least 0 (found -1)"),
       glass("conductance_nan", sheet + "conductance_s = nan\n", "materials.glass.conductance_s must be a finite number"),

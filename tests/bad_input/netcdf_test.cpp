@@ -62,14 +62,14 @@ TEST_F(NetcdfProgram, ConvertsThereAndBack) {
 TEST_F(NetcdfProgram, ConvertRefusesWithASentence) {
   ASSERT_EQ(raytube("run case.toml -o kept" + quick).code, 0);
   expect_refused("convert kept/rcs.csv", "to is required");
-  expect_refused("convert kept/rcs.csv a.csv", "are of one kind; convert a .csv to a .nc");
-  expect_refused("convert kept/rcs.csv a.json", "a.json: its name ends neither with .csv nor with .nc");
+  expect_refused("convert kept/rcs.csv a.csv", "are of the same kind; convert a .csv to a .nc");
+  expect_refused("convert kept/rcs.csv a.json", "a.json: its name ends neither in .csv nor in .nc");
   expect_refused("convert missing.csv a.nc", "missing.csv: cannot be read; give the path of a readable table");
   expect_refused("convert missing.nc a.csv", "missing.nc: cannot be read; give the path of a netCDF file");
   expect_refused("convert kept/channels.csv a.nc", "its columns are not those of rcs.csv");
   expect_refused("convert kept/rcs.csv missing/a.nc", "its folder does not exist");
   scratch.write("mine.nc", "mine");
-  expect_refused("convert kept/rcs.csv mine.nc", "mine.nc: is there, and is not what raytube has written there");
+  expect_refused("convert kept/rcs.csv mine.nc", "mine.nc: exists, and is not a file that raytube has written");
   EXPECT_EQ(text_of(scratch / "mine.nc"), "mine");
   EXPECT_FALSE(fs::exists(scratch / "a.nc"));
 }
@@ -108,8 +108,8 @@ TEST_F(NetcdfProgram, ConvergeOfResultsIsThatOfTheCase) {
   EXPECT_EQ(conclusions("study/converge.csv"), conclusions("whole/converge.csv"));
   EXPECT_TRUE(fs::exists(scratch / "study/converge.png"));
   expect_refused("converge n2.nc n4.nc", "an order needs results at three densities or more");
-  expect_refused("converge n2.nc case.toml", "case.toml: is no netCDF file");
-  expect_refused("converge n2.nc n4.nc n8.nc --densities 2,4,8", "--densities: means nothing for results that are there");
+  expect_refused("converge n2.nc case.toml", "case.toml: is not a netCDF file");
+  expect_refused("converge n2.nc n4.nc n8.nc --densities 2,4,8", "--densities: has no effect on finished results");
   ASSERT_EQ(raytube("run case.toml -o adaptive.nc --quiet").code, 0);
   expect_refused("converge n2.nc n4.nc adaptive.nc", "adaptive.nc: its tubes are adaptive, without a density to study");
 }

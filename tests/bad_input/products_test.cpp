@@ -91,7 +91,7 @@ TEST_F(Products, WhatWouldTakeTooLongIsRefusedFirst) {
   expect_refused("isar case.toml --size 1x1x1 --pixels 32 " + sweep + " --set 'look.theta_deg={start=58,stop=62,count=9}'",
                  "an image of");
   expect_refused("isar --plan 1e6 0.1", "ask for a coarser resolution");
-  expect_refused("isar --plan 5 0.1 --direct", "--direct: means nothing with --plan");
+  expect_refused("isar --plan 5 0.1 --direct", "--direct: has no effect with --plan");
   expect_refused("isar case.toml --quiet --direct --mechanisms surface_waves " + sweep,
                  "--mechanisms surface_waves: add nothing in look 5");
   expect_refused("report case.toml", "case.toml: is a case, not a result");
@@ -100,21 +100,21 @@ TEST_F(Products, WhatWouldTakeTooLongIsRefusedFirst) {
 TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("profile kept/rcs.csv --window blackman", "needs rectangular, hann, hamming, taylor or kaiser (found blackman)");
   expect_refused("profile kept/rcs.csv --window hann --sidelobes 40", "--sidelobes: a hann window has side lobes of its own");
-  expect_refused("profile kept/rcs.csv --set frequency.ghz=3", "means nothing for a result that is there");
+  expect_refused("profile kept/rcs.csv --set frequency.ghz=3", "has no effect on a finished result");
   expect_refused("profile kept/channels.csv", "its columns are not those of rcs.csv");
   expect_refused("isar", "input is required: a result or a case, or --plan SIZE RESOLUTION");
   expect_refused("isar kept/rcs.csv --plan 5 0.1", "--plan: computes nothing");
-  expect_refused("isar kept/rcs.csv --ghz 10", "--ghz: means nothing without --plan");
-  expect_refused("isar --plan 5 0.001", "takes a band of 149.9 GHz, which does not fit about 10 GHz");
+  expect_refused("isar kept/rcs.csv --ghz 10", "--ghz: has no effect without --plan");
+  expect_refused("isar --plan 5 0.001", "takes a band of 149.9 GHz, which does not fit around 10 GHz");
   expect_refused("isar --plan 0.1 5 --ghz 1", "is below the resolution of 5 m");
-  expect_refused("isar kept/rcs.csv --direct", "kept/rcs.csv is no case (.toml); only a case says where its S comes from");
+  expect_refused("isar kept/rcs.csv --direct", "kept/rcs.csv is not a case (.toml); only a case says where its S comes from");
   expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
   expect_refused("isar case.toml --direct --mechanisms bounce_4", "needs bounce_1, bounce_2, bounce_3_on, edges, interaction");
   expect_refused("isar kept/rcs.csv --size 20 1", "the image asked for is 20 m wide along range, but steps of 100 MHz show 1.");
-  expect_refused("isar kept --size 8", "--size: needs two lengths in metres, or three of an image in space (found 8)");
-  expect_refused("isar kept --size 8x", "or three of an image in space, such as 8x8 (found 8x)");
-  expect_refused("isar kept --size 1 1 kept", "or three of an image in space, such as 8x8 (found kept)");
-  expect_refused("isar kept --resume", "--resume: nothing is solved of kept/rcs.csv");
+  expect_refused("isar kept --size 8", "--size: needs two lengths in metres, or three for an image in space (found 8)");
+  expect_refused("isar kept --size 8x", "or three for an image in space, such as 8x8 (found 8x)");
+  expect_refused("isar kept --size 1 1 kept", "or three for an image in space, such as 8x8 (found kept)");
+  expect_refused("isar kept --resume", "--resume: nothing is solved for kept/rcs.csv");
   expect_refused("isar .", "holds neither rcs.nc nor rcs.csv");
   expect_refused("isar kept/rcs.csv --size 0.3 0.3 0.3", "--size: an image over one angle is in a plane and has no height");
 }
@@ -164,7 +164,7 @@ TEST_F(Products, CentresAreThoseOfOneLook) {
   EXPECT_EQ(raytube("centres case.toml -o b --quiet --set target.unit=m --set target.mesh=named.obj").code, 0);
   EXPECT_THAT(text_of(scratch / "b/by_part.csv"),
               AllOf(HasSubstr("\nnear,tubes,"), HasSubstr("\n\"far,, side\""), HasSubstr("\n,all,")));
-  expect_refused("centres kept/rcs.csv", "kept/rcs.csv is no case (.toml)");
+  expect_refused("centres kept/rcs.csv", "kept/rcs.csv is not a case (.toml)");
   expect_refused("centres case.toml --look 1", "look 1: there are 1 direction pair(s), counted from 0");
   expect_refused("centres case.toml --set target.unit=m --resolution 1e-4", "has too many pieces of 2.5e-05 m");
   expect_refused("centres case.toml --set radar.range_m=100", "the pieces seen from a finite distance have no one place");

@@ -63,7 +63,7 @@ TEST_F(RandomProgram, BadOptions) {
   expect_refused("run case.toml --launch random --samples 1e5", "--samples: needs a whole number");
   expect_refused("run case.toml --launch random --repeat 1", "--repeat: needs a whole number from 2 to 1000000 (found 1)");
   expect_refused("run case.toml --launch random --seed -1", "--seed: needs a whole number from 0");
-  expect_refused("run case.toml --launch random --parts", "--parts: the mean of random tubes is not kept apart by mechanism");
+  expect_refused("run case.toml --launch random --parts", "--parts: the mean of random tubes is not split by mechanism");
   expect_refused("run case.toml --launch random --set edges.method=utd", "edges.method \"utd\" has no tubes to place at random");
 }
 

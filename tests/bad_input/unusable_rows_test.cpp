@@ -49,7 +49,7 @@ class UnusableRows : public BadInput {
     EXPECT_EQ(outcome.code, 4) << outcome.complaint;
     EXPECT_THAT(outcome.complaint, HasSubstr("the first bounce: 1 row " + sentence));
     EXPECT_THAT(outcome.complaint,
-                HasSubstr("out: the results are written, but hold rows that must not be used, as said above\n"));
+                HasSubstr("out: the results are written, but hold rows that must not be used, as reported above\n"));
     EXPECT_TRUE(fs::exists(scratch / "out/rcs.csv"));
     EXPECT_FALSE(fs::exists(scratch / journal));
     const auto beyond = nlohmann::json::parse(text_of(scratch / "out/run.json"))["counts"]["beyond_bound"];

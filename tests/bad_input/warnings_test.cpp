@@ -109,7 +109,7 @@ TEST_F(Warnings, ABoxWithoutItsTop) {
   const std::string sentence =
       "open bodies: component 0, 100 % of the surface, is closed except for a hole: 900 cm^2 beside 4500 cm^2 of surface, with a "
       "border of 120 cm round (15, 15, 30) cm; rays enter there, and the inside reflects as the outside does; add the missing "
-      "facets in the CAD program, unless the opening is meant, as that of a duct";
+      "facets in the CAD program, unless the opening is intended, like that of a duct";
   const std::string words = " case.toml --set target.unit=cm --set output.plots=false --set edges.method=none";
   scratch.write("mesh.off", "OFF\n8 5 0\n" + corners + sides);
   EXPECT_EQ(raytube("check" + words).code, 0);

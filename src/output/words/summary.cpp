@@ -15,7 +15,7 @@ namespace raytube {
 
 namespace {
 
-// Channels so far below the strongest of their row are told by themselves: a small error is large against them.
+// Channels this far below the strongest of their row are reported separately: a small error is large against them.
 constexpr int low_db = 20;
 constexpr double near_peak = 0.01;  // of the largest amplitude: 40 dB below it
 
@@ -28,7 +28,7 @@ double peak_sigma_dbsm(const SweepResult& result) {
   return peak;
 }
 
-// The largest levels [dB] of each kind of channel; below zero: there is none.
+// The largest levels [dB] for each kind of channel; below zero: there is none.
 struct LargestErrors {
   double co = -1.0, cross = -1.0, low = -1.0;
 };
@@ -49,7 +49,7 @@ LargestErrors largest_errors(const SweepResult& result, const std::vector<Channe
   return found;
 }
 
-// Rows whose numerical error is above the tolerance, by whether the model uncertainty permits that.
+// Rows whose numerical error is above the tolerance; the model uncertainty permits some of them.
 struct RowsAbove {
   std::size_t permitted = 0, others = 0;
 };
@@ -123,10 +123,10 @@ std::string median_text(const char* channels, std::vector<double> levels) {
   return fmt::format("{} median {:.2g} dB, at most {:.2g} dB", channels, median, std::ranges::max(levels));
 }
 
-// How a remedy begins where no key is one.
+// The beginning of a remedy where no key helps.
 constexpr std::string_view no_remedy = "none";
 
-// What it is mostly, and the handle that makes it less.
+// The model uncertainty, its largest part, and the remedy against that part.
 std::string model_lines(const SweepResult& result) {
   if (result.model.empty()) return "";
   const std::string text = line("model uncertainty", model_uncertainty_text(result));
@@ -134,17 +134,17 @@ std::string model_lines(const SweepResult& result) {
   return text + line("", largest_part_text(result.model_parts.front()));
 }
 
-// Whether it changes any row within 40 dB of the peak by a tenth of the tolerance.
+// Whether the power changes any row within 40 dB of the peak by a tenth of the tolerance.
 bool matters(double sigma, const SweepResult& result, double tolerance_db) {
   const double weakest = near_peak * largest_co_polar(result), least_share = std::pow(10.0, 0.1 * tolerance_db / 20.0) - 1.0;
   return std::sqrt(sigma / (4.0 * pi)) > least_share * weakest;
 }
 
-// By reason: how many, what is left of those of a look, where that counts, and what would make them fewer.
+// For each reason: the number of tubes, the power left in those of a look, the error that includes it, and the remedy.
 std::string truncated_lines(const SweepResult& result, const RunFacts& facts) {
   const std::array reasons{fmt::format("after tubes.max_bounces = {}", facts.tubes.max_bounces),
                            std::string("too wide off curved surfaces"), std::string("too many between sheets")};
-  constexpr std::array handles{"; raise tubes.max_bounces", "; raise tubes.per_wavelength (of no help inside solids)", ""};
+  constexpr std::array handles{"; raise tubes.max_bounces", "; raise tubes.per_wavelength (no help inside solids)", ""};
   std::string text;
   for (const Truncation reason : truncations) {
     const auto& [tubes, sigma] = result.statistics.truncated[reason];
@@ -166,7 +166,7 @@ std::string work_lines(const SweepResult& result, const RunFacts& facts) {
   if (s.ray_range > 0.0)
     text += line("range", fmt::format("{:.6g} m: amplitudes are apparent ones (edges.method \"utd\")", s.ray_range));
   if (facts.looks_resumed)
-    text += line("resumed", fmt::format("{} looks were computed before, and are not in that time", facts.looks_resumed));
+    text += line("resumed", fmt::format("{} looks were computed before, and are not included in that time", facts.looks_resumed));
   text += line("lost rays", fmt::format("{}", s.lost_rays));
   if (paths && s.truncated.tubes())
     text += line("truncated search", fmt::format("in {} looks: too many sequences of mirrors", s.truncated.tubes()));
@@ -194,7 +194,7 @@ std::string model_uncertainty_text(const SweepResult& result) {
 }
 
 std::string largest_part_text(const ModelPart& largest) {
-  // Where nothing that the user can set reduces it, run.json says so; as the last words of a run that would sound like a failure.
+  // That no setting helps stands in run.json; as the last words of a run it would sound like a failure.
   const std::string handle = largest.remedy.starts_with(no_remedy) ? "" : "; remedy: " + largest.remedy;
   return fmt::format("mostly {} ({:.0f} %){}", largest.what, 100.0 * largest.share, handle);
 }

@@ -1,4 +1,4 @@
-// The words at the end of a run.
+// The summary at the end of a run.
 #pragma once
 
 #include <span>
@@ -9,22 +9,22 @@
 
 namespace raytube {
 
-/// What of a run the result does not tell.
+/// Facts about a run that its result does not hold.
 struct RunFacts {
   std::string size{};  // of the target
   TubeOptions tubes{};
-  bool materials = false;  // other than perfect conductors: the numerical error holds what truncated tubes may bring
-  bool random = false;     // the mean of random tubes, whose error is told elsewhere
+  bool materials = false;  // other than perfect conductors: the numerical error includes truncated tubes
+  bool random = false;     // the mean of random tubes, whose error is reported elsewhere
   int threads = 1;
   std::uint64_t looks_resumed = 0;
   std::size_t warnings = 0;
   std::string folder{};
 };
 
-/// What is to be said, once a solve is done, of a mechanism that exceeds its bound.
+/// The sentence about a mechanism that exceeds its bound.
 std::string beyond_bound_sentence(const BeyondBound& part);
 
-/// What is to be said of lost rays: how many, and where the first ones were in units of the mesh.
+/// The sentence about lost rays: their number, and the places of the first ones in units of the mesh.
 std::string lost_rays_sentence(const Statistics& statistics, double metres_per_unit, const std::string& unit);
 
 /// The largest numerical errors of channels: "at most VV, HH 0.01 dB; ...".
@@ -33,14 +33,14 @@ std::string numerical_error_text(const SweepResult& result);
 /// Median and largest model uncertainty of channels near the peak.
 std::string model_uncertainty_text(const SweepResult& result);
 
-/// What the model uncertainty mostly is, and the handle that makes it less.
+/// The largest part of the model uncertainty, and the remedy against it.
 std::string largest_part_text(const ModelPart& largest);
 
-/// Extents along x, y and z: of the points, and in words "4 x 2 x 1.5 m; 133 x 66.7 x 50 wavelengths at 10 GHz".
+/// Extents of the points along x, y and z, and the same in words: "4 x 2 x 1.5 m; 133 x 66.7 x 50 wavelengths at 10 GHz".
 dvec3 size_of(std::span<const dvec3> points);
 std::string size_text(const dvec3& size, double frequency);
 
-/// Lines of a name and what is to be said of it.
+/// The summary, each line with a name and a value.
 std::string summary_text(const SweepResult& result, const RunFacts& facts);
 
 }  // namespace raytube

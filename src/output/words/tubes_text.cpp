@@ -35,7 +35,7 @@ std::string tubes_text(const TubePaths& tubes, const FacetHits& hits) {
   std::string text = fmt::format("launch grid: {} columns, {} rows; {}\n{} of them meet the target\n", tubes.columns, tubes.rows,
                                  followed_text(tubes), tubes.met_target());
   if (const std::size_t behind = tubes.paths.size() - tubes.met_target(); behind > 0)
-    text += fmt::format("{} more ways on behind sheets\n", behind);
+    text += fmt::format("{} more paths continue behind sheets\n", behind);
   for (std::size_t i = 0; i < hits.at_bounce.size(); ++i) text += bounce_text(i + 1, hits.at_bounce[i]);
   return text + ends_text(tubes);
 }

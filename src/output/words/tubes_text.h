@@ -1,4 +1,4 @@
-// What is to be said of the tubes of a look.
+// The tubes of a look in words.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace raytube {
 
-/// Lines: how many were followed, how many hits there were at each bounce, and how they ended.
+/// Lines with the number of tubes followed, the hits at each bounce, and the ends of the tubes.
 std::string tubes_text(const TubePaths& tubes, const FacetHits& hits);
 
 }  // namespace raytube

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<const char*, 4> names = {"phi", "theta", "receiver phi", "receiver theta"};
 
-// Two digits, never above the value.
+// Rounded to two digits, never above the value.
 double rounded_down(double value) {
   const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::floor(value / digit * (1.0 + 1e-9)) * digit;
@@ -27,7 +27,7 @@ std::string at_wavelength(const Validity& v) {
 
 std::string percent(const SmallFeatures& features) { return fmt::format("{:.2g} %", 100.0 * features.share); }
 
-// To a thousandth of `size`.
+// Rounded to a thousandth of `size`.
 std::string place(const dvec3& point, double size, const MeshUnit& unit) {
   const double step = std::pow(10.0, std::floor(std::log10(size / unit.metres)) - 3.0);
   const dvec3 p = glm::round(point / unit.metres / step) * step + 0.0;
@@ -64,7 +64,7 @@ std::string sentence(const ThickLayers& narrowest, std::size_t components, const
       place(narrowest.middle, narrowest.thickness, unit), length(narrowest.width), narrowest.closed ? "thick" : "wide", more);
 }
 
-// By how far apart along the line of sight points may be to be told from one another by steps of so many GHz [m].
+// The depth along the line of sight that steps of so many GHz show without ambiguity [m].
 double unambiguous_range(double gigahertz) { return speed_of_light / (2e9 * gigahertz); }
 
 std::string sentence(const CoarseSteps& steps) {
@@ -87,7 +87,7 @@ std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const Mesh
   return {
       fmt::format("open bodies: {}; rays enter there, and the inside reflects as the outside does; add the missing facets in the "
                   "CAD program, "
-                  "unless the opening is meant, as that of a duct",
+                  "unless the opening is intended, like that of a duct",
                   bodies_text(bodies, unit))};
 }
 
@@ -117,7 +117,7 @@ std::vector<std::string> validity_warnings(const Validity& v, const MeshUnit& un
   std::vector<std::string> sentences;
   if (!check.empty())
     sentences.push_back(
-        fmt::format("size: the target's largest extent, {}, and few radar targets are so large; {}", size, check));
+        fmt::format("size: the target's largest extent, {}, and few radar targets are this large; {}", size, check));
   if (matters(v.parts))
     sentences.push_back(
         fmt::format("validity: {} separate parts, {} of the surface, are smaller than {}; treat their return as approximate, or "

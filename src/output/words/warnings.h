@@ -1,4 +1,4 @@
-// What a case asks that its target does not bear out, in sentences: each with the number, the limit and the remedy.
+// Warnings about cases that do not suit their targets. Each sentence gives the number, the limit and the remedy.
 #pragma once
 
 #include <span>
@@ -13,21 +13,21 @@
 
 namespace raytube {
 
-/// Places and lengths are told in the unit of the mesh, where one looks for them.
+/// Places and lengths are given in the unit of the mesh, in which the user looks for them.
 struct MeshUnit {
   double metres = 1.0;
   std::string name = "m";
 };
 
-/// One sentence, unless they are a small share of the surface.
+/// One sentence, unless the open bodies are a small share of the surface.
 std::vector<std::string> open_body_warnings(const OpenBodies& bodies, const MeshUnit& unit);
 
 /// One sentence for each of the materials, about its narrowest component.
 std::vector<std::string> thick_layer_warnings(const std::vector<ThickLayers>& layers, std::span<const Material> materials,
                                               const MeshUnit& unit);
 
-/// One sentence for each kind of feature too small for the methods; of a target too small as a whole only that. Of a target
-/// so large or small that another unit was likely meant, the sentence names target.unit.
+/// One sentence for each kind of feature that is too small for the methods, or a single one for a target that is too small as a
+/// whole. For a target so large or small that another unit was likely meant, the sentence names target.unit.
 std::vector<std::string> validity_warnings(const Validity& validity, const MeshUnit& unit = {});
 
 /// One sentence for each swept quantity.

@@ -1,7 +1,9 @@
-// A mesh in the place of a case: the few settings of the command line make a case of it.
+#include "program/run/case_of_mesh.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -13,7 +15,6 @@
 #include "core/text.h"
 #include "output/files/files.h"
 #include "output/netcdf/netcdf_file.h"
-#include "program/commands.h"
 
 namespace raytube {
 
@@ -33,13 +34,13 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return pieces;
 }
 
-// "10", "9,10,11" or "0:360:1" as a value of a case.
+// Turns "10", "9,10,11" or "0:360:1" into the value of a key.
 std::string value_of(const char* option, const std::string& text, const char* third) {
   const bool is_range = text.find(':') != std::string::npos;
   const std::vector<std::string> words = split(text, is_range ? ':' : ',');
   const bool are_numbers = std::ranges::all_of(words, [](const std::string& word) { return parsed_number(word).has_value(); });
   if (!are_numbers || (is_range && words.size() != 3))
-    throw InputError(fmt::format("{} {}: write a number, numbers with commas between, or START:STOP:{}", option, quotable(text),
+    throw InputError(fmt::format("{} {}: write a number, numbers separated by commas, or START:STOP:{}", option, quotable(text),
                                  std::string_view(third) == "count" ? "COUNT" : "STEP"));
   if (is_range) return fmt::format("{{ start = {}, stop = {}, {} = {} }}", words[0], words[1], third, words[2]);
   return words.size() == 1 ? words[0] : fmt::format("[{}]", fmt::join(words, ", "));
@@ -51,7 +52,7 @@ std::string toml_text(const std::string& text) {
   return quoted + '"';
 }
 
-std::string case_text(const MeshRequest& asked, const fs::path& mesh, const fs::path& folder) {
+std::string case_text(const MeshOptions& asked, const fs::path& mesh, const fs::path& folder) {
   const fs::path beside = fs::proximate(fs::absolute(mesh), fs::absolute(folder));
   return fmt::format(
       "{}\ntitle = {}\n\n[target]\nmesh = {}\nunit = {}\n\n[frequency]\nghz = {}\n\n[look]\nazimuth_deg = {}\nelevation_deg = "
@@ -68,7 +69,7 @@ void require_free(const fs::path& file) {
   std::getline(in, first_line);
   if (first_line != written_head)
     throw InputError(
-        fmt::format("{}: is there and was not written by raytube run; run it as a case, or give another -o", file.string()));
+        fmt::format("{}: exists and was not written by raytube run; run it as a case, or give another -o", file.string()));
 }
 
 void write_case(const fs::path& file, const std::string& text) {
@@ -82,9 +83,15 @@ void write_case(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-void make_case_of_mesh(Request& request) {
-  const MeshRequest& asked = request.mesh;
-  const fs::path mesh = request.case_file;
+void add_mesh_options(CLI::App& run, MeshOptions& mesh) {
+  add_value(run, "--unit UNIT", mesh.unit, "For a mesh: its unit of length (m, cm, mm, um, in, ft)");
+  add_value(run, "--ghz F", mesh.ghz, "For a mesh: frequencies, one, a list, or START:STOP:COUNT");
+  add_value(run, "--azimuth DEG", mesh.azimuth, "For a mesh: azimuths in degrees, one, a list, or START:STOP:STEP; default 0");
+  add_value(run, "--elevation DEG", mesh.elevation, "For a mesh: elevations in degrees, likewise; default 0");
+}
+
+void make_case_of_mesh(const MeshOptions& asked, RunOptions& run) {
+  const fs::path mesh = run.input.file;
   constexpr std::array<std::string_view, 8> mesh_endings = {".stl", ".obj", ".ply", ".off", ".msh", ".gltf", ".glb", ".3mf"};
   if (std::ranges::find(mesh_endings, lower_case(mesh.extension().string())) == mesh_endings.end()) {
     for (const auto& [option, value, key] :
@@ -94,22 +101,20 @@ void make_case_of_mesh(Request& request) {
             fmt::format("{}: goes with a mesh; a case has the key {}, and --set {}=VALUE changes it", option, key, key));
     return;
   }
-  if (request.ranks)
+  if (run.work.ranks)
     throw InputError(fmt::format(
         "{}: several processes share a case, not a mesh; run it once without mpirun, which writes the case", mesh.string()));
   if (!fs::exists(mesh)) throw InputError(fmt::format("{}: there is no such file", mesh.string()));
   if (asked.unit.empty())
     throw InputError(fmt::format("{}: a mesh has no unit of length; give --unit m, cm, mm, um, in or ft", mesh.string()));
   if (asked.ghz.empty())
-    throw InputError(
-        fmt::format("{}: a mesh says no frequency; give the frequency with --ghz, for example --ghz 10", mesh.string()));
-  const bool one_file = is_netcdf_name(request.output_folder);
-  if (request.output_folder.empty()) request.output_folder = fs::absolute(mesh).parent_path() / "out";
-  const fs::path file =
-      one_file ? fs::path(request.output_folder).replace_extension(".toml") : request.output_folder / "case.toml";
+    throw InputError(fmt::format("{}: a mesh has no frequency; give one with --ghz, for example --ghz 10", mesh.string()));
+  const bool one_file = is_netcdf_name(run.output);
+  if (run.output.empty()) run.output = fs::absolute(mesh).parent_path() / "out";
+  const fs::path file = one_file ? fs::path(run.output).replace_extension(".toml") : run.output / "case.toml";
   require_free(file);
   write_case(file, case_text(asked, mesh, fs::absolute(file).parent_path()));
-  request.case_file = file;
+  run.input.file = file;
 }
 
 }  // namespace raytube

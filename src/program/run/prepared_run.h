@@ -1,4 +1,4 @@
-// A case made ready to be solved: read, with its target and its plan.
+// A case that is ready to be solved: read, with its target and its plan.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include "mesh/load.h"
 #include "output/files/journal.h"
 #include "output/files/manifest.h"
-#include "program/commands.h"
+#include "program/options.h"
 #include "program/run/stopwatch.h"
 
 namespace raytube {
@@ -16,20 +16,20 @@ namespace raytube {
 struct PreparedRun {
   Case c;  // as it is solved
   MeshReport report;
-  Manifest manifest;  // as far as it is known before
+  Manifest manifest;  // as far as it is known before the solve
   std::shared_ptr<const Target> target;
   std::vector<dvec3> outermost;  // points of the target as wide as all of it
   std::unique_ptr<const PlannedCase> planned;
 };
 
-/// `read`: the case as its file has it, which the manifest tells. Warns of what the mesh and its materials are. Throws
-/// InputError, also if there is not the memory that it takes.
-PreparedRun prepared_run(const Request& request, const Case& read, const Case& c, const Stopwatch& total);
+/// `read`: the case as its file has it, for the manifest. Warns about the mesh and its materials. Throws InputError, also if the
+/// memory does not suffice.
+PreparedRun prepared_run(const RunOptions& asked, const Case& read, const Case& c, const Stopwatch& total);
 
-/// The name of the item that says which program it is.
+/// The item of an identity that names the program.
 inline constexpr const char* program_item = "version or build of raytube";
 
-/// What every bit of a finished look depends on, beside the number of threads, on which none does.
+/// Everything that a finished look depends on. The number of threads changes no bit of it.
 JournalIdentity identity_of(const Case& c, const Manifest& manifest);
 
 }  // namespace raytube

@@ -9,37 +9,37 @@ namespace raytube {
 
 namespace fs = std::filesystem;
 
-Case case_for(const Destination& destination, const Request& request, Case c) {
+Case case_for(const Destination& destination, const RunOptions& run, Case c) {
   if (!destination.one_file()) return c;
-  if (request.random)
+  if (run.random)
     throw InputError(
         fmt::format("-o {}: a netCDF file does not hold the spread of random tubes; give a folder, or leave out "
                     "--launch random",
-                    request.output_folder.string()));
+                    run.output.string()));
   if (!c.image_looks.empty())
     warn(fmt::format("{}: output.image_look has no effect with -o {}; images need a folder", c.file.string(),
-                     request.output_folder.string()));
+                     run.output.string()));
   if (c.power)
     warn(fmt::format("{}: output.power_dbm has no effect with -o {}; power.csv needs a folder", c.file.string(),
-                     request.output_folder.string()));
+                     run.output.string()));
   c.image_looks.clear();
   c.plots = false;
   c.netcdf = true;
   return c;
 }
 
-ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination, const ResultNames& product) {
+ResultNames names_of_results(const RunOptions& run, const Case& c, const Destination& destination, const ResultNames& product) {
   if (destination.one_file()) return {{}, {destination.file}};
   ResultNames names = image_names(c);
   names.pictures.insert(names.pictures.end(), product.pictures.begin(), product.pictures.end());
   names.tables.insert(names.tables.end(), product.tables.begin(), product.tables.end());
   if (c.plots) names.pictures.insert(names.pictures.end(), {"rcs.png", "rcs.svg"});
-  if (c.plots && request.parts) names.pictures.insert(names.pictures.end(), {"parts.png", "parts.svg"});
+  if (c.plots && run.parts) names.pictures.insert(names.pictures.end(), {"parts.png", "parts.svg"});
   names.tables.emplace_back("channels.csv");
-  if (request.parts) names.tables.emplace_back("parts.csv");
+  if (run.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
   if (c.power) names.tables.emplace_back("power.csv");
-  if (request.random) names.tables.emplace_back("random.csv");
+  if (run.random) names.tables.emplace_back("random.csv");
   if (c.netcdf) names.tables.emplace_back("rcs.nc");
   names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
   return names;

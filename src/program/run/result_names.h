@@ -1,4 +1,4 @@
-// What a run's results are called.
+// The names of a run's results.
 #pragma once
 
 #include <filesystem>
@@ -6,21 +6,21 @@
 #include <vector>
 
 #include "case/data/case.h"
-#include "program/commands.h"
+#include "program/options.h"
 #include "program/work/destination.h"
 #include "program/work/results.h"
 
 namespace raytube {
 
-/// The case with what one netCDF file alone means for it. Throws InputError for what such a file has no place for.
-Case case_for(const Destination& destination, const Request& request, Case c);
+/// The case as it is run for this destination: for a single netCDF file, without the outputs that the file cannot hold. Throws
+/// InputError if the run makes no sense without them.
+Case case_for(const Destination& destination, const RunOptions& run, Case c);
 
-/// `product`: what else is written into the folder.
-ResultNames names_of_results(const Request& request, const Case& c, const Destination& destination,
+/// `product`: names of further files in the folder.
+ResultNames names_of_results(const RunOptions& run, const Case& c, const Destination& destination,
                              const ResultNames& product = {});
 
-/// What a run with other wishes may have left, and a page that tells of the results that are replaced. One file replaces nothing
-/// but itself.
+/// Files that a run with other options may have left, and the report on the replaced results. One file replaces only itself.
 std::vector<std::string> names_of_earlier_results(const Destination& destination);
 
 }  // namespace raytube

@@ -9,15 +9,24 @@
 
 namespace raytube {
 
-/// Looks that shards have computed, as solve() takes them.
+/// The looks of merged shards, in the form that solve() takes.
 struct MergedLooks {
   KeptLooks looks;
   std::size_t count;
 };
 
-/// Solves and writes everything. If it does not come to its end it leaves the finished looks for another one to resume. Throws
-/// after its end if there are rows that must not be used. `merged`: of shards, in place of a journal; null: there are none.
-void run_into_folder(const Request& request, PreparedRun& prepared, const Destination& destination, const MergedLooks* merged,
-                     const Stopwatch& total, Product* product = nullptr);
+/// A run that is ready for its computation.
+struct RunTask {
+  const RunOptions& asked;
+  PreparedRun& prepared;
+  const Destination& destination;
+  const MergedLooks* merged;  // in place of a journal; null: there are none
+  Product* product;           // null: there is none
+  const Stopwatch& total;
+};
+
+/// Solves and writes everything. A run that does not come to its end leaves the finished looks for another one to resume. Throws
+/// after its end if there are rows that must not be used.
+void run_into_folder(const RunTask& task);
 
 }  // namespace raytube

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <cstdlib>
 
 #include "core/error.h"
@@ -24,15 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_shards = 1'000'000;
 
-std::optional<std::size_t> whole_number(std::string_view text) {
-  std::size_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
-
 std::size_t slurm_number(const char* variable) {
   const char* const text = std::getenv(variable);
-  const std::optional<std::size_t> number = text ? whole_number(text) : std::nullopt;
+  const std::optional<std::size_t> number = text ? parsed_whole_number(text) : std::nullopt;
   if (!number)
     throw InputError(
         fmt::format("--shard slurm: {} is not set; only the tasks of a job array (sbatch --array=1-N) have it; "
@@ -41,7 +34,7 @@ std::size_t slurm_number(const char* variable) {
   return *number;
 }
 
-// Tasks that were left out of an array are not counted, so that it must be whole.
+// Slurm does not count the missing tasks of an array, so that the array must have no gaps.
 Shard shard_of_array() {
   const std::size_t task = slurm_number("SLURM_ARRAY_TASK_ID"), first = slurm_number("SLURM_ARRAY_TASK_MIN"),
                     last = slurm_number("SLURM_ARRAY_TASK_MAX"), count = slurm_number("SLURM_ARRAY_TASK_COUNT");
@@ -53,22 +46,7 @@ Shard shard_of_array() {
   return {task - first, count};
 }
 
-// Computes it; the progress is of this shard alone.
-void compute(const Request& request, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
-  const std::size_t looks = shard.size(prepared.planned->plan.looks.computed.size());
-  ProgressBar bar(request.quiet, fmt::format("shard {}: {}", shard_text(shard), looks_text(looks)),
-                  looks > 0 ? static_cast<double>(journal.resumed()) / static_cast<double>(looks) : 1.0);
-  const auto progress = [&](double share) {
-    bar.show(share);
-    journal.write_now_and_then();
-    return !InterruptFlag::raised();
-  };
-  solve_shard(prepared.planned->plan, shard, progress, journal.looks(), team_of(request));
-  if (request.ranks) request.ranks->end();
-  journal.complete();
-}
-
-// Shards come and go in it, several at a time.
+// Several shards may write into the folder at a time, so that none of them holds it as its own.
 void make_folder_of_shards(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -77,7 +55,7 @@ void make_folder_of_shards(const fs::path& folder) {
                                  error.message()));
 }
 
-// A task that is run again alone (sbatch --array=5) would take itself for the whole.
+// A single task that is run again (sbatch --array=5) would count itself as the whole array.
 void refuse_others(const fs::path& folder, const Shard& shard) {
   const std::string own = fmt::format("_of_{}{}", shard.count, shard_ending);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
@@ -88,27 +66,33 @@ void refuse_others(const fs::path& folder, const Shard& shard) {
                       shard_text(shard), entry.path().string()));
 }
 
-std::string interrupted_sentence(LookJournal& journal) {
-  const std::string kept = journal.keep_all();
-  return kept.empty() ? Interrupted().what() : "interrupted; " + kept;
-}
-
-void compute_and_keep(const Request& request, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
+// The progress bar counts the looks of this shard alone.
+void compute(const RunOptions& asked, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
+  const SolvePlan& plan = prepared.planned->plan;
+  const std::size_t looks = shard.size(plan.looks.computed.size());
+  ProgressBar bar(asked.work.quiet, fmt::format("shard {}: {}", shard_text(shard), looks_text(looks)),
+                  looks > 0 ? static_cast<double>(journal.resumed()) / static_cast<double>(looks) : 1.0);
+  const auto progress = [&](double share) {
+    journal.write_now_and_then();
+    return bar.show(share);
+  };
   try {
-    compute(request, prepared, shard, journal);
+    solve_shard(plan, shard, progress, journal.looks(), team_of(asked.work));
+    if (asked.work.ranks) asked.work.ranks->end();
+    journal.complete();
   } catch (const Interrupted&) {
-    throw Interrupted(interrupted_sentence(journal));
+    throw Interrupted(journal.interrupted_sentence());
   } catch (const std::exception&) {
     if (const std::string kept = journal.keep_all(); !kept.empty()) warn(kept);
     throw;
   }
 }
 
-JournalIdentity identity_of_shard(const Request& request, const PreparedRun& prepared, const Shard& shard) {
+JournalIdentity identity_of_shard(const RunOptions& asked, const PreparedRun& prepared, const Shard& shard) {
   JournalIdentity identity = identity_of(prepared.c, prepared.manifest);
   identity.emplace_back(shard_item, shard_text(shard));
   identity.emplace_back(case_item, prepared.manifest.case_file);
-  identity.emplace_back(set_item, fmt::format("{}", fmt::join(request.overrides, "\n")));
+  identity.emplace_back(set_item, fmt::format("{}", fmt::join(asked.input.overrides, "\n")));
   return identity;
 }
 
@@ -118,8 +102,8 @@ Shard shard_of_text(const std::string& text) {
   if (text == "slurm") return shard_of_array();
   const std::size_t slash = text.find('/');
   if (slash != std::string::npos) {
-    const auto number = whole_number(std::string_view(text).substr(0, slash)),
-               count = whole_number(std::string_view(text).substr(slash + 1));
+    const auto number = parsed_whole_number(std::string_view(text).substr(0, slash)),
+               count = parsed_whole_number(std::string_view(text).substr(slash + 1));
     if (number && count && *number >= 1 && *number <= *count && *count <= most_shards) return {*number - 1, *count};
   }
   throw InputError(fmt::format("--shard {}: write I/N, I from 1 to N, such as 3/7, or slurm in a job array", text));
@@ -127,31 +111,28 @@ Shard shard_of_text(const std::string& text) {
 
 std::string shard_text(const Shard& shard) { return fmt::format("{}/{}", shard.index + 1, shard.count); }
 
-std::string shard_file_name(const Shard& shard) {
-  return fmt::format("shard_{}_of_{}{}", shard.index + 1, shard.count, shard_ending);
-}
-
-void run_shard(const Request& request, const Case& c, const Stopwatch& total) {
-  const Shard shard = shard_of_text(*request.shard);
-  const Destination destination = destination_of(request.output_folder, c.file.parent_path() / "out", "rcs.csv");
+void run_shard(const RunOptions& asked, const Case& c, const Stopwatch& total) {
+  const Shard shard = shard_of_text(*asked.shard);
+  const Destination destination = destination_of(asked.output, c.file.parent_path() / "out", "rcs.csv");
   if (destination.one_file())
     throw InputError(fmt::format("-o {}: a shard is only part of a result; give a folder here, and -o FILE.nc to raytube merge",
-                                 request.output_folder.string()));
-  if (request.random) throw InputError("--shard: random tubes are drawn anew as a whole; leave out --shard or --launch random");
-  const PreparedRun prepared = prepared_run(request, c, c, total);
-  const fs::path folder = fs::absolute(destination.folder), file = folder / shard_file_name(shard);
+                                 asked.output.string()));
+  if (asked.random) throw InputError("--shard: random tubes are drawn anew as a whole; leave out --shard or --launch random");
+  const PreparedRun prepared = prepared_run(asked, c, c, total);
+  const std::string name = fmt::format("shard_{}_of_{}{}", shard.index + 1, shard.count, shard_ending);
+  const fs::path folder = fs::absolute(destination.folder), file = folder / name;
   make_folder_of_shards(folder);
   refuse_others(folder, shard);
-  const FolderLock lock(folder, fmt::format(".{}.lock", shard_file_name(shard)));
+  const FolderLock lock(folder, fmt::format(".{}.lock", name));
   const auto require_folder = [&] {
     if (!lock.holds()) throw_removed(folder);
   };
   LookJournal journal(
-      file, [&] { return identity_of_shard(request, prepared, shard); }, require_folder, true);
+      file, [&] { return identity_of_shard(asked, prepared, shard); }, require_folder, true);
   journal.resume();
-  const InterruptFlag interrupt_flag([&] { return std::optional(interrupted_sentence(journal)); });
-  compute_and_keep(request, prepared, shard, journal);
-  if (!request.quiet)
+  const InterruptFlag interrupt_flag([&] { return std::optional(journal.interrupted_sentence()); });
+  compute(asked, prepared, shard, journal);
+  if (!asked.work.quiet)
     fmt::print("shard {}    {} in {}; when all shards are done: raytube merge {}\n", shard_text(shard),
                looks_text(shard.size(prepared.planned->plan.looks.computed.size())), file.string(), folder.string());
 }

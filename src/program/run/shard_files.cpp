@@ -23,7 +23,7 @@ std::string value_of(const JournalIdentity& identity, const char* name) {
   return found == identity.end() ? "" : found->second;
 }
 
-// Without what the looks do not depend on.
+// The identity without the items on which looks do not depend.
 JournalIdentity identity_of_looks(JournalIdentity identity) {
   std::erase_if(identity,
                 [](const auto& item) { return item.first == shard_item || item.first == case_item || item.first == set_item; });
@@ -38,10 +38,9 @@ ShardFiles::ShardFiles(const fs::path& folder) : folder_(folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == shard_ending) found.push_back(entry.path());
   if (error)
-    throw InputError(
-        fmt::format("{}: cannot be read ({}); name the folder that the shards are in", folder.string(), error.message()));
+    throw InputError(fmt::format("{}: cannot be read ({}); name the folder of the shards", folder.string(), error.message()));
   if (found.empty())
-    throw InputError(fmt::format("{}: holds no shards (shard_*{}); make them by raytube run CASE.toml --shard 1/N -o {}",
+    throw InputError(fmt::format("{}: holds no shards (shard_*{}); make them with raytube run CASE.toml --shard 1/N -o {}",
                                  folder.string(), shard_ending, folder.string()));
   std::ranges::sort(found);
   for (const fs::path& path : found) add(path);
@@ -57,7 +56,7 @@ void ShardFiles::add(const fs::path& path) {
   for (const File& other : files_) {
     if (other.shard.count != shard.count)
       throw InputError(
-          fmt::format("{} is shard {}, but {} is shard {}: they belong to different runs; delete those of one of them",
+          fmt::format("{} is shard {}, but {} is shard {}: they belong to different runs; delete the shards of one run",
                       path.string(), text, other.path.string(), shard_text(other.shard)));
     if (other.shard.index == shard.index)
       throw InputError(fmt::format("{} and {} are both shard {}; delete one of them", other.path.string(), path.string(), text));

@@ -14,17 +14,18 @@ namespace raytube {
 
 class ShardFiles {
  public:
-  /// Opens all of a folder. Throws InputError if it has none, if they are of different numbers, or one is missing or there twice.
+  /// Opens all shards of a folder. Throws InputError if there is none, if their numbers N differ, or if one is missing or there
+  /// twice.
   explicit ShardFiles(const std::filesystem::path& folder);
 
-  /// The case that they are of, and what --set gave with it.
+  /// The case of the shards, and the values of --set that they were computed with.
   std::filesystem::path case_file() const;
   std::vector<std::string> overrides() const;
 
-  /// Throws InputError if one is of another case, mesh or program than this, or does not hold all of its part of so many looks.
+  /// Throws InputError if a shard belongs to another case, mesh or program, or does not hold all of its share of `looks`.
   void require(const JournalIdentity& identity, std::size_t looks) const;
 
-  /// Refer to this object.
+  /// The looks refer to this object.
   KeptLooks looks() const;
 
  private:

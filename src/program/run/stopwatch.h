@@ -1,4 +1,4 @@
-// Time that passes.
+// Measures the time since it was made.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Where a command's results go, and where those lie that it reads.
+// Where a command writes its results, and where it finds those that it reads.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace raytube {
 
-/// A folder, or one netCDF file alone in it.
+/// A folder, or one netCDF file in it.
 struct Destination {
   std::filesystem::path folder;
   std::string file;  // empty: all files
@@ -17,14 +17,14 @@ struct Destination {
   std::string text() const { return (one_file() ? folder / file : folder).string(); }
 };
 
-/// What -o names, or the usual folder without it. Throws InputError for the name of a table: `table` is one of the results.
+/// The destination that -o names, else the usual folder. Throws InputError for the name of a table; its sentence names `table` as
+/// one of the results.
 Destination destination_of(const std::filesystem::path& asked, const std::filesystem::path& usual, const char* table);
 
-/// What a run leaves of its rows: the file with most in it first.
+/// The files with the rows of a run, the fuller one first.
 inline constexpr std::array<const char*, 2> result_names = {"rcs.nc", "rcs.csv"};
 
-/// The file of a result that is given as such, or as the folder of a run: there the first of `names`. Throws InputError for a
-/// folder without any.
+/// The given file, or in the folder of a run the first of `names` that it holds. Throws InputError for a folder without them.
 std::filesystem::path result_in(const std::filesystem::path& given, std::span<const char* const> names = result_names);
 
 }  // namespace raytube

@@ -1,4 +1,4 @@
-// How the program ends, for scripts; anything else that is thrown is a failure of the machine.
+// The exit codes, and the exceptions that stand for them. Any other exception is a failure of the machine.
 #pragma once
 
 #include <stdexcept>

@@ -16,17 +16,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_out = 50ms;                       // for the flag
-constexpr auto patience = 500ms;                      // with a computation that should end by itself
+constexpr auto look_out = 50ms;                       // interval between looks at the flag
+constexpr auto patience = 500ms;                      // for a computation that is to end by itself
 constexpr std::int64_t twice_within = 2'000'000'000;  // [ns] shells and wrappers may deliver one Ctrl-C twice
 
 std::atomic<bool> deferred = false;
 std::atomic<bool> on_the_way_out = false;
 std::atomic<std::int64_t> raised_at = 0;  // [ns] of the steady clock; 0: not yet
-static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);  // for signal handlers
-std::mutex moving;  // of results into their place
+static_assert(std::atomic<std::int64_t>::is_always_lock_free &&
+              std::atomic<bool>::is_always_lock_free);  // signal handlers use them
+std::mutex moving;                                      // held while results take their places
 
-// Only what is allowed in a signal handler: clock_gettime, write, _exit and flags. Two threads may be in it at a time.
+// Uses only what a signal handler may: clock_gettime, write, _exit and flags. Two threads may be in it at a time.
 void on_signal(int) {
   static constexpr char sentence[] = "raytube: interrupted\n";
   timespec clock;
@@ -81,7 +82,6 @@ void InterruptFlag::watch(const std::stop_token& over) {
   _exit(code_of_an_interrupt);
 }
 
-NotNow::NotNow() { moving.lock(); }
-NotNow::~NotNow() { moving.unlock(); }
+std::unique_lock<std::mutex> hold_last_words() { return std::unique_lock(moving); }
 
 }  // namespace raytube

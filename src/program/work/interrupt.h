@@ -1,4 +1,4 @@
-// Ctrl-C: at once while nothing is at stake; during the computation at the next tile, and in any case within a second.
+// Ctrl-C ends the program at once while nothing is at stake, and a computation at its next tile, within a second in any case.
 #pragma once
 
 #include <condition_variable>
@@ -12,13 +12,13 @@ namespace raytube {
 
 constexpr int code_of_an_interrupt = 130;
 
-/// From now on Ctrl-C (or a termination request, which is no different) ends the program at once with a message and that code.
+/// From now on Ctrl-C, or a request to terminate, ends the program at once with a message and code_of_an_interrupt.
 void end_on_interrupt();
 
-/// While one lives, Ctrl-C only raises a flag, for the computation to end by itself. If that takes too long (nobody looks at the
-/// flag inside a single edge or a library), `last_words` clears up from a thread of its own and says what is left, and the
-/// program ends there; without a sentence, the program is done anyway and may go on. Another Ctrl-C two seconds later ends at
-/// once.
+/// While one exists, Ctrl-C only raises a flag, so that the computation ends by itself. If that takes too long (nothing looks at
+/// the flag within a single edge or a library), `last_words` cleans up in a thread of its own, its sentence is printed, and the
+/// program ends; without a sentence the work is complete, and the program goes on. Another Ctrl-C two seconds later ends the
+/// program at once.
 class InterruptFlag {
  public:
   explicit InterruptFlag(std::function<std::optional<std::string>()> last_words);
@@ -28,7 +28,7 @@ class InterruptFlag {
 
   static bool raised();
 
-  /// The flag was seen between two files: from here on the way out is short, and must not be taken twice at a time.
+  /// The flag was seen between two files: the work ends soon by itself, and last words must not interfere.
   static void leaving();
 
  private:
@@ -40,13 +40,7 @@ class InterruptFlag {
   std::jthread watch_;
 };
 
-/// While one lives, nobody's last words end the program: results change places.
-class NotNow {
- public:
-  NotNow();
-  ~NotNow();
-  NotNow(const NotNow&) = delete;
-  NotNow& operator=(const NotNow&) = delete;
-};
+/// While it is held, no last words end the program: results change places.
+std::unique_lock<std::mutex> hold_last_words();
 
 }  // namespace raytube

@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-constexpr auto short_run = 1s;                              // without a journal ...
-constexpr std::size_t most_waiting = std::size_t{4} << 20;  // [bytes] unless it would have to hold more than this
+constexpr auto short_run = 1s;                              // has no journal,
+constexpr std::size_t most_waiting = std::size_t{4} << 20;  // [bytes] unless more than this would wait
 constexpr auto between_writes = 1ms;                        // looks may be finished within microseconds
 constexpr auto between_syncs = 1s;
-constexpr int sync_share = 100;  // of the time of one thread, that of bringing it to the disk is less than 1 / this
+constexpr int sync_share = 100;  // syncing takes less than 1 / this of one thread's time
 constexpr std::size_t most_named = 3, longest_value = 40;
 
-// A long list from the entry on that is not the same.
+// Of a long list, the part from the first different entry on.
 std::string shown(const std::string& value, std::size_t differs_at) {
   if (value.empty()) return "not given";
   if (value.size() <= longest_value) return value;
@@ -33,8 +33,8 @@ std::string shown(const std::string& value, std::size_t differs_at) {
   return fmt::format("{}{}{}", from > 0 ? "..." : "", part, from + part.size() < value.size() ? "..." : "");
 }
 
-// Of a file and the program only a checksum is known, which says nothing to anybody; their names are words.
-std::string told(const JournalDifference& item) {
+// The value of a file or of the program is a checksum, which says nothing to the user; only their names contain blanks.
+std::string difference_text(const JournalDifference& item) {
   const auto& [name, before, now] = item;
   if (name.find(' ') != std::string::npos) return "another " + name;
   const auto at = static_cast<std::size_t>(std::ranges::mismatch(before, now).in1 - before.begin());
@@ -49,7 +49,7 @@ std::string differences_text(const JournalIdentity& before, const JournalIdentit
   const std::vector<JournalDifference> items = differences(before, now);
   std::vector<std::string> sentences;
   for (const JournalDifference& item : items)
-    if (sentences.size() < most_named) sentences.push_back(told(item));
+    if (sentences.size() < most_named) sentences.push_back(difference_text(item));
   const std::string more = items.size() > most_named ? fmt::format(" and {} more", items.size() - most_named) : "";
   return fmt::format("{}{}", joined(sentences, ", "), more);
 }
@@ -128,7 +128,7 @@ void LookJournal::write() {
   written_ = Clock::now();
 }
 
-// The others need not wait for the disk.
+// Other threads need not wait for the disk.
 void LookJournal::sync(std::unique_lock<std::mutex>& lock) {
   syncing_ = true;
   to_sync_ = false;
@@ -158,11 +158,16 @@ std::string LookJournal::keep_all() {
   try {
     if (journal_ && !given_up_) write();
   } catch (const std::exception&) {
-    // The folder was removed, or the disk is full: whatever is in the file is what is kept.
+    // The folder was removed, or the disk is full: the file keeps what it holds.
   }
   if (!journal_ || !journal_->is_there() || journal_->records() == 0) return {};
   return fmt::format("{} of {} looks are kept in {}; {}", journal_->records(), std::max(looks_, journal_->records()),
                      file_.string(), is_result_ ? "the same command continues from there" : "continue with --resume");
+}
+
+std::string LookJournal::interrupted_sentence() {
+  const std::string kept = keep_all();
+  return kept.empty() ? Interrupted().what() : "interrupted; " + kept;
 }
 
 void LookJournal::complete() {

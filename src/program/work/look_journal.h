@@ -14,48 +14,50 @@
 
 namespace raytube {
 
-/// In which items a journal's identity differs from another one, in words; empty: in none.
+/// The items in which two identities differ, in words; empty for equal ones.
 std::string differences_text(const JournalIdentity& before, const JournalIdentity& now);
 
 /// "1 look", "2 looks"
 std::string looks_text(std::size_t count);
 
-/// A file beside the results, by its usual name .raytube.journal. It is begun when the computation has taken a second, so that
-/// short runs know nothing of it; from then on a look is there as soon as it is finished, and on the disk itself a second or so
-/// later. A disk that does not take it costs a warning: the run goes on.
+/// A file beside the results, usually .raytube.journal. It is begun once the computation has taken a second, so that short runs
+/// do without it; from then on each look is written when it is finished, and is safe on the disk about a second later. A full
+/// disk costs a warning, and the run goes on.
 class LookJournal {
  public:
-  /// `identity` is called when it is needed; `require_folder`, from any thread, throws if the folder was removed.
-  ///
-  /// `is_result`: the file is all that there will be, so that what the disk does not take ends the work.
-  LookJournal(const std::filesystem::path& file, std::function<JournalIdentity()> identity,
-              std::function<void()> require_folder, bool is_result = false);
+  /// `identity` is called when it is needed; `require_folder`, from any thread, throws if the folder was removed. `is_result`:
+  /// the file is the only result, so that a full disk ends the work.
+  LookJournal(const std::filesystem::path& file, std::function<JournalIdentity()> identity, std::function<void()> require_folder,
+              bool is_result = false);
 
   static std::filesystem::path file_in(const std::filesystem::path& folder) { return folder / ".raytube.journal"; }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Throws InputError if finished looks lie in the file: whoever forgot to resume shall not lose them.
+  /// Throws InputError if the file holds finished looks, so that a run without --resume does not lose them.
   static void refuse_leftover(const std::filesystem::path& file);
 
-  /// Takes up what an earlier run has left; false if there is nothing. Throws InputError if that was another one.
+  /// Takes up the looks of an earlier run; false if there are none. Throws InputError if that run had other work.
   bool resume();
 
-  /// The finished looks as solve() takes them: those that are kept, and where new ones go. Refers to this object.
+  /// The kept looks and the place for new ones, in the form that solve() takes. Refers to this object.
   KeptLooks looks();
 
-  /// To be called now and then: finished looks do not wait for the next one.
+  /// Writes finished looks that are due; to be called now and then.
   void write_now_and_then();
 
-  /// Writes what is left to be written as far as the disk takes it; returns a sentence that says what is kept, empty if nothing is.
+  /// Writes the remaining looks as far as the disk takes them. Returns a sentence about the kept looks, empty if there are none.
   std::string keep_all();
 
-  /// Writes all of them, for good. Throws std::runtime_error if the disk does not take them.
+  /// Keeps all, and returns the sentence with which interrupted work ends.
+  std::string interrupted_sentence();
+
+  /// Writes all looks to the disk itself. Throws std::runtime_error if the disk does not take them.
   void complete();
 
-  /// Looks taken up from an earlier run.
+  /// The number of looks taken up from an earlier run.
   std::size_t resumed() const { return resumed_; }
 
-  /// The results are complete.
+  /// Removes the file: the results are complete.
   void remove();
 
  private:

@@ -5,45 +5,36 @@
 
 #include <cstdio>
 
-#include "core/threads.h"
+#include "program/work/interrupt.h"
 
 namespace raytube {
 
-namespace {
-
-void tell(const std::string& line) { fmt::print(stderr, "raytube: {}\n", line); }
-
-}  // namespace
-
-std::string work_text(const SolvePlan& plan) {
-  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
-  const int threads = plan.threads > 0 ? plan.threads : all_threads();
-  return fmt::format("solving {} look{} at {} frequenc{} on {} thread{}", looks, looks == 1 ? "" : "s", frequencies,
-                     frequencies == 1 ? "y" : "ies", threads, threads == 1 ? "" : "s");
-}
-
-ProgressBar::ProgressBar(bool quiet, const std::string& work, double there)
+ProgressBar::ProgressBar(bool quiet, const std::string& work, double done)
     : kind_(quiet                        ? Kind::none
             : isatty(STDERR_FILENO) != 0 ? Kind::bar
                                          : Kind::lines),
       start_(Clock::now()),
       last_(start_),
-      left_(there) {
-  if (kind_ == Kind::lines) tell(work);
+      left_(done) {
+  if (kind_ == Kind::lines) fmt::print(stderr, "raytube: {}\n", work);
 }
 
 ProgressBar::~ProgressBar() {
   if (kind_ == Kind::bar) fmt::print(stderr, "\r\033[K");
 }
 
-void ProgressBar::show(double share) {
+bool ProgressBar::show(double share) {
   const Clock::time_point now = Clock::now();
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const std::optional<double> left = left_.after(share, elapsed);
-  if (kind_ == Kind::none || !left || now - last_ < std::chrono::milliseconds(100)) return;
-  last_ = now;
-  if (kind_ == Kind::bar) return draw(share, *left);
-  if (const auto line = lines_.due(share, elapsed, *left)) tell(*line);
+  if (kind_ != Kind::none && left && now - last_ >= std::chrono::milliseconds(100)) {
+    last_ = now;
+    if (kind_ == Kind::bar)
+      draw(share, *left);
+    else if (const auto line = lines_.due(share, elapsed, *left))
+      fmt::print(stderr, "raytube: {}\n", *line);
+  }
+  return !InterruptFlag::raised();
 }
 
 void ProgressBar::draw(double share, double left) const {

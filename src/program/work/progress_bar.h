@@ -6,25 +6,22 @@
 
 #include "core/progress_lines.h"
 #include "core/time_left.h"
-#include "plan/plan.h"
 
 namespace raytube {
 
-/// What a solve will do, in a line.
-std::string work_text(const SolvePlan& plan);
-
 class ProgressBar {
  public:
-  /// `work` says in a line at the start, where there is no terminal, what will be done; `there` is the share of it that is
+  /// `work` describes the work in one line, printed at the start where there is no terminal; `done` is the share of it that is
   /// done already. Shows nothing if `quiet`.
-  ProgressBar(bool quiet, const std::string& work, double there = 0.0);
+  ProgressBar(bool quiet, const std::string& work, double done = 0.0);
   ~ProgressBar();  // leaves a clean line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(double share);
+  /// Returns false once Ctrl-C was pressed: the computation is to stop.
+  bool show(double share);
 
-  /// A line that stays, above the bar.
+  /// Prints a line that stays above the bar.
   void note(const std::string& line);
 
  private:

@@ -10,7 +10,6 @@
 #include "core/error.h"
 #include "output/files/earlier_results.h"
 #include "output/files/sync.h"
-#include "program/work/interrupt.h"
 
 namespace raytube {
 
@@ -96,7 +95,7 @@ void replace_results(NewResults& results, const fs::path& folder, const ResultNa
   results.sync();
   earlier.expect(results.folder(), first_and_second(pictures, tables));
 
-  const NotNow results_change_places;
+  const std::unique_lock<std::mutex> results_change_places = hold_last_words();
   earlier.announce(results.folder());
   try {
     place_pictures(results, pictures);
@@ -107,7 +106,7 @@ void replace_results(NewResults& results, const fs::path& folder, const ResultNa
     throw;
   }
   for (const std::string& name : old)
-    if (!results.has_placed(name)) unlink((folder / name).c_str());  // which removes no folder
+    if (!results.has_placed(name)) unlink((folder / name).c_str());  // unlike fs::remove, removes no folder
   earlier.settle(results.folder());
   sync_folder(folder);
   placed();
@@ -125,10 +124,21 @@ fs::path folder_of_named_file(const char* option, const fs::path& file, std::str
   return folder;
 }
 
-std::optional<std::string> AllOrNothing::last_words() const {
-  if (complete_) return {};
-  folder_.abandon();
-  return Interrupted().what();
+AllOrNothing::AllOrNothing(const fs::path& folder)
+    : folder_(folder), interrupt_flag_([this]() -> std::optional<std::string> {
+        if (complete_) return {};
+        folder_.abandon();
+        return Interrupted().what();
+      }) {}
+
+Names AllOrNothing::place(const ResultNames& names, const std::function<void(const fs::path&)>& write, const Names& leftovers) {
+  folder_.require_there();
+  NewResults results(folder());
+  write(results.folder());
+  replace_results(results, folder(), names, leftovers, [this] { complete_ = true; });
+  Names placed = first_and_second(names.tables, names.pictures);
+  std::erase_if(placed, [&](const std::string& name) { return !results.has_placed(name); });
+  return placed;
 }
 
 }  // namespace raytube

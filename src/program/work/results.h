@@ -1,26 +1,26 @@
-// How every command brings its results into their folder.
+// How commands bring their results into a folder.
 #pragma once
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "output/files/files.h"
+#include "program/work/interrupt.h"
 
 namespace raytube {
 
-/// One line on stderr; the program goes on.
+/// Prints one line on stderr; the program goes on.
 void warn(const std::string& sentence);
 
 /// Throws Interrupted once Ctrl-C was pressed.
 void stop_if_interrupted();
 
-/// The names of a command's results, in the order in which they take their places: whoever finds the last table finds all.
+/// The names of a command's results, in the order in which they take their places: once the last table is there, all are.
 struct ResultNames {
   std::vector<std::string> pictures, tables;
 };
@@ -28,35 +28,37 @@ struct ResultNames {
 /// A file that a command reads, and what names it to the user: a key of the case, or an option.
 using InputFile = std::pair<std::string, std::filesystem::path>;
 
-/// Throws InputError if results of these names cannot go to the folder, or if they would replace an input, or a file that no
-/// earlier command has written: better now than after the computation.
+/// Throws InputError if results of these names cannot go to the folder, or would replace an input, or a file that no earlier
+/// command has written. To be called before the computation.
 void check_output(const std::filesystem::path& folder, const ResultNames& names, const std::vector<InputFile>& inputs);
 
-/// Places the results that were written, over those of earlier commands; then removes what these have left under any other of the
-/// names, and of the names in `leftovers`. Throws with all as it was: InputError if something else lies in a result's place by
-/// now, std::runtime_error if one cannot be had or the disk did not take the files. A plot is a convenience: one that cannot take
-/// its place costs a warning and does not hold up the tables. `placed` is called when all is done and on the disk itself, before
-/// an interrupt may say otherwise.
+/// Places the written results over those of earlier commands, then removes earlier results under the other names and under those
+/// in `leftovers`. Throws, and leaves everything as it was: InputError if something else now lies in a result's place,
+/// std::runtime_error if a place cannot be taken or the disk did not take the files. A plot that cannot take its place only costs
+/// a warning. `placed` is called when all is safe on the disk, and before an interrupt is reported.
 void replace_results(NewResults& results, const std::filesystem::path& folder, const ResultNames& names,
                      const std::vector<std::string>& leftovers, const std::function<void()>& placed);
 
-/// The folder of a result that an option names. Throws InputError if it cannot take its place: by a rename, which must not
-/// replace a folder, a device or somebody else's file; one of raytube's own begins with the line `head`.
+/// The folder of a result that an option names. The result takes its place by a rename. Throws InputError if that would replace a
+/// folder, a device or a file that is not raytube's own: those begin with the line `head`.
 std::filesystem::path folder_of_named_file(const char* option, const std::filesystem::path& file, std::string_view head);
 
-/// A command that keeps nothing of what it has not finished.
+/// The results of a command that keeps nothing of what it has not finished: an interrupt leaves the folder as it was.
 class AllOrNothing {
  public:
-  explicit AllOrNothing(const OutputFolder& folder) : folder_(folder) {}
+  explicit AllOrNothing(const std::filesystem::path& folder);
 
-  void complete() { complete_ = true; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
-  /// Of an interrupt: none once it is complete.
-  std::optional<std::string> last_words() const;
+  /// Calls `write` with a hidden folder for the files, and places them as replace_results() does. Returns the names of those that
+  /// took their places.
+  std::vector<std::string> place(const ResultNames& names, const std::function<void(const std::filesystem::path&)>& write,
+                                 const std::vector<std::string>& leftovers = {});
 
  private:
-  const OutputFolder& folder_;
+  OutputFolder folder_;
   std::atomic<bool> complete_ = false;
+  InterruptFlag interrupt_flag_;
 };
 
 }  // namespace raytube
