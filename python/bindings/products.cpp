@@ -140,7 +140,7 @@ py::dict centres(const std::shared_ptr<Job>& job, std::size_t look, std::size_t 
     places.insert(places.end(), {centre.place.x, centre.place.y, centre.place.z});
     persistence.insert(persistence.end(), {centre.band * all.frequency, centre.azimuth / degree, centre.elevation / degree});
     s.push_back(centre.s);
-    mechanisms.append(scattering_mechanisms[centre.mechanism()]);
+    mechanisms.append(all.found.mechanism_of(centre));
   }
   py::dict d;
   d["place"] = owned_array<double>(std::move(places), {number, 3});

@@ -14,6 +14,12 @@ namespace raytube {
 template <class Value>
 concept Plain = std::is_trivially_copyable_v<Value>;
 
+/// Lists its members for both ways: members(value, take).
+template <class Value>
+concept Listed = requires(Value& value) {
+  Value::members(value, [](auto&) {});
+};
+
 /// Appends them one after the other.
 class ByteWriter {
  public:
@@ -32,6 +38,10 @@ class ByteWriter {
   void operator()(const std::vector<List>& lists) {
     (*this)(lists.size());
     for (const List& list : lists) (*this)(list);
+  }
+  template <Listed Value>
+  void operator()(const Value& value) {
+    Value::members(value, *this);
   }
   void operator()(const std::vector<bool>& flags) { (*this)(std::vector<char>(flags.begin(), flags.end())); }
   void operator()(const std::string& text) { (*this)(std::vector<char>(text.begin(), text.end())); }
@@ -60,6 +70,10 @@ class ByteReader {
   void operator()(std::vector<List>& lists) {
     lists.resize(size(sizeof(std::size_t)));
     for (List& list : lists) (*this)(list);
+  }
+  template <Listed Value>
+  void operator()(Value& value) {
+    Value::members(value, *this);
   }
   void operator()(std::vector<bool>& flags) {
     std::vector<char> bytes;

@@ -102,6 +102,11 @@ inline double co_polar_square(const ChannelErrors& errors) {
 }
 
 /// All of them times a factor.
+inline void add(const ChannelErrors& errors, ChannelErrors& sum) {
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) sum[p][q] += errors[p][q];
+}
+
 inline ChannelErrors scaled(ChannelErrors errors, double factor) {
   for (std::array<double, 2>& received : errors)
     for (double& error : received) error *= factor;

@@ -48,7 +48,7 @@ double extent(double most, Sum sum) {
 void describe(const std::vector<PieceCluster>& clusters, const dvec3& at, const CentreOptions& options,
               ScatteringCentre& centre) {
   std::vector<std::pair<dvec3, ScatteringMatrix>> near;
-  std::array<ScatteringMatrix, scattering_mechanisms.size()> by_mechanism{};
+  std::vector<ScatteringMatrix> by_mechanism(options.mechanisms.size());
   double strongest = -1.0;
   for (const PieceCluster& each : clusters) {
     const dvec3 away = each.at - at;
@@ -60,7 +60,7 @@ void describe(const std::vector<PieceCluster>& clusters, const dvec3& at, const 
   }
   double all = 0.0;
   for (const ScatteringMatrix& s : by_mechanism) all += power(s);
-  for (std::size_t m = 0; m < by_mechanism.size() && all > 0.0; ++m) centre.shares[m] = power(by_mechanism[m]) / all;
+  for (const ScatteringMatrix& s : by_mechanism) centre.shares.push_back(all > 0.0 ? power(s) / all : 0.0);
   const auto along = [&](int axis) {
     return extent(pi / options.side, [&](double change) {
       ScatteringMatrix sum;
@@ -88,7 +88,7 @@ std::size_t ScatteringCentre::mechanism() const {
 
 ScatteringCentres scattering_centres(const std::vector<ScatteringPiece>& pieces, const LookAxes& axes,
                                      const CentreOptions& options) {
-  ScatteringCentres result;
+  ScatteringCentres result{.centres = {}, .rest = {}, .mechanisms = options.mechanisms};
   for (const ScatteringPiece& piece : pieces) result.rest += piece.s;
   if (pieces.empty()) return result;
   const std::vector<PieceCluster> clusters = clusters_of(pieces, axes, options.side);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "imaging/piece_clusters.h"
@@ -18,16 +19,16 @@ namespace raytube {
 LookAxes axes_of_look(const Direction& to_radar);
 
 struct CentreOptions {
-  std::size_t count = 50;   // at most
-  double side = 0.0;        // of the cube that is resolved: c / 2B, lambda / 2 dphi [m]
-  double wavelength = 0.0;  // [m]
+  std::size_t count = 50;                 // at most
+  double side = 0.0;                      // of the cube that is resolved: c / 2B, lambda / 2 dphi [m]
+  double wavelength = 0.0;                // [m]
+  std::vector<std::string> mechanisms{};  // that pieces may belong to, by ScatteringPiece::mechanism
 };
 
 struct ScatteringCentre {
-  dvec3 place;         // [m]
-  ScatteringMatrix s;  // [m]
-  std::array<double, scattering_mechanisms.size()>
-      shares{};                             // of the power of the pieces within the cube, by mechanism; of sum 1
+  dvec3 place;                              // [m]
+  ScatteringMatrix s;                       // [m]
+  std::vector<double> shares{};             // of the power of the pieces within the cube, by mechanism; of sum 1
   std::optional<std::uint32_t> triangle{};  // with the strongest current within it
   // Over which the sum of the pieces within the cube is within 3 dB of its largest, as far as is resolved: frequency as a share
   // of the look's, angles [rad].
@@ -39,6 +40,10 @@ struct ScatteringCentre {
 struct ScatteringCentres {
   std::vector<ScatteringCentre> centres;  // the strongest first
   ScatteringMatrix rest;                  // of S, that they do not hold [m]
+  std::vector<std::string> mechanisms;    // names of the shares
+
+  /// The mechanism with the largest share of a centre.
+  const std::string& mechanism_of(const ScatteringCentre& centre) const { return mechanisms[centre.mechanism()]; }
 };
 
 /// Throws InputError for a target of more cells than can be held.

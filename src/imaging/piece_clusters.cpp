@@ -22,7 +22,7 @@ std::vector<PieceCluster> clusters_of(const std::vector<ScatteringPiece>& pieces
     const std::array<std::int64_t, 4> key{static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
                                           static_cast<std::int64_t>(cell.z), static_cast<std::int64_t>(piece.mechanism)};
     const auto [found, is_new] = known.try_emplace(key, clusters.size());
-    if (is_new) clusters.emplace_back().mechanism = static_cast<std::size_t>(piece.mechanism);
+    if (is_new) clusters.emplace_back().mechanism = piece.mechanism;
     clusters[found->second].add(place, piece);
   }
   std::erase_if(clusters, [](const PieceCluster& each) { return each.amplitude == 0.0; });

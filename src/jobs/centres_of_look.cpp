@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "imaging/direct.h"
 #include "jobs/solvable.h"
+#include "plan/mechanism.h"
 #include "solve/pieces.h"
 
 namespace raytube {
@@ -48,7 +49,8 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
         result.s += piece.s;
       },
       c.ground);
-  result.found = scattering_centres(result.pieces, axes_of_look(result.direction), {asked.count, result.side, length});
+  result.found =
+      scattering_centres(result.pieces, axes_of_look(result.direction), {asked.count, result.side, length, piece_names()});
   return result;
 }
 

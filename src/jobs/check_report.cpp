@@ -23,9 +23,7 @@
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
 #include "scene/sampling.h"
-#include "scene/skipped.h"
 #include "solve/image.h"
-#include "solve/mechanisms/list.h"
 
 namespace raytube {
 
@@ -156,9 +154,10 @@ Json curved_surfaces_json(const SolvePlan& plan) {
 // What takes part in looks in which it can change the answer, or why it does not.
 Json mechanisms_json(const SolvePlan& plan) {
   Json json = Json::array();
-  for (const MechanismEntry& entry : mechanism_list()) {
-    const MechanismState state = entry.state(plan);
-    json.push_back({{"name", name_of(entry.scatters)},
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i) {
+    const MechanismEntry& entry = plan.mechanisms[i];
+    const MechanismState& state = plan.states[i];
+    json.push_back({{"name", entry.name},
                     {"label", entry.label},
                     {"key", entry.key},
                     {"on", state.on},
@@ -192,12 +191,13 @@ std::vector<std::string> skipped_lines(const MeshReport& r, const SolvePlan& pla
                                   {"triangles", "same corners as another one", r.triangles_duplicate},
                                   {"triangles", "inside, where two closed bodies touch", r.triangles_internal}};
   std::ranges::copy(plan.skipped_wedges, std::back_inserter(skipped));
-  for (const MechanismEntry& entry : mechanism_list()) {
-    const MechanismState state = entry.state(plan);
-    if (state.missed) skipped.push_back({fmt::format("looks without {}", entry.label), state.why_not, plan.sweep.looks.size()});
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i) {
+    const MechanismState& state = plan.states[i];
+    if (state.missed)
+      skipped.push_back({fmt::format("looks without {}", plan.mechanisms[i].label), state.why_not, plan.sweep.looks.size()});
     std::ranges::copy(state.skipped, std::back_inserter(skipped));
   }
-  std::ranges::copy(skipped_items(plan.skips), std::back_inserter(skipped));
+  std::ranges::copy(plan.skips, std::back_inserter(skipped));
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
     if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, s.why));

@@ -1,6 +1,7 @@
 #include "plan/plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <limits>
 #include <map>
@@ -244,7 +245,8 @@ WedgeSource wedge_source(const SolvePlan& plan) {
 
 }  // namespace
 
-SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& options, const std::optional<Ground>& over)
+SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& options, const std::optional<Ground>& over,
+                     const std::vector<MechanismEntry>& list)
     : target(on),
       asked(given),
       ground(over),
@@ -255,7 +257,8 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
       surfaces(options.surfaces),
       threads(options.threads),
       keep_parts(options.keep_parts || ground),
-      tell_parts(options.keep_parts) {
+      tell_parts(options.keep_parts),
+      mechanisms(list) {
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
@@ -263,16 +266,26 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
   thin_plate_edges = thin_plate_edges_of(*this);
   wedge_sets = raytube::wedge_sets(wedge_source(*this), sweep.frequencies);
   looks = looks_of(*this);
-  skips = {.repeated_looks = looks.repeated, .mirrored_looks = looks.mirrored};
-  if (tubes.skip && edges.method != EdgeMethod::none) skips.enclosed_wedges = target.wedges_enclosed;
+  const bool skips_wedges = tubes.skip && edges.method != EdgeMethod::none;
+  skips = {{"looks", "the same as earlier ones", looks.repeated},
+           {"looks", "mirror images of earlier ones: the target is its own image", looks.mirrored},
+           {"wedges", "inside a closed body", skips_wedges ? target.wedges_enclosed : 0}};
   skipped_wedges = skipped_wedges_of(*this);
-  std::erase_if(skipped_wedges, [](const Skipped& item) { return item.count == 0; });
+  for (std::vector<Skipped>* items : {&skips, &skipped_wedges})
+    std::erase_if(*items, [](const Skipped& item) { return item.count == 0; });
+  for (const MechanismEntry& mechanism : mechanisms) states.push_back(mechanism.state(*this));
   seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::max(frequencies)); }
 
 double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }
+
+std::size_t SolvePlan::index_of(std::string_view name) const {
+  const auto found = std::ranges::find(mechanisms, name, &MechanismEntry::name);
+  assert(found != mechanisms.end());
+  return static_cast<std::size_t>(found - mechanisms.begin());
+}
 
 bool SolvePlan::no_reflection() const {
   return std::ranges::all_of(bands, [](const BandPlan& band) { return band.convexity.no_reflection; });

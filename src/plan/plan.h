@@ -1,5 +1,4 @@
 // What a solve will do, settled once before it begins: run, check, images, the random baseline and the memory estimate read it.
-// Which mechanisms take part, and why others do not, they say themselves (solve/mechanisms/list.h).
 #pragma once
 
 #include <memory>
@@ -9,10 +8,10 @@
 #include "mesh/features/wedge_sets.h"
 #include "mesh/smooth/smooth.h"
 #include "plan/ground_paths.h"
+#include "plan/mechanism.h"
 #include "plan/target.h"
 #include "scene/look_plan.h"
 #include "scene/options.h"
-#include "scene/skipped.h"
 #include "scene/sweep.h"
 
 namespace raytube {
@@ -36,7 +35,9 @@ struct SolvePlan {
   /// Throws InputError, naming the remedy, for whatever cannot be solved: an empty or non-physical sweep, options out of range or
   /// that do not go together, antennas that do not have all of the target in front, grids too dense. Over `ground` below the
   /// target the looks along its paths are solved, and added up; of a perfect one the target has its mirror image with it.
-  SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {});
+  /// What adds to S beside the tubes is in `list`.
+  SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {},
+            const std::vector<MechanismEntry>& list = mechanism_list());
   SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
   SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
 
@@ -58,10 +59,12 @@ struct SolvePlan {
   std::vector<ThinPlateEdge> thin_plate_edges;             // the target's that are known, thinnest first
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies
   LookPlan looks;                                          // which are computed, and which follow from these
-  SkipCounts skips;                                        // known beforehand
-  std::vector<Skipped> skipped_wedges;  // that carry no fringe current, and why; of thin plates and details at the lowest
-                                        // frequency
-  double seconds = 0.0;                 // that planning took
+  std::vector<Skipped> skips;                              // looks and wedges that are known to need no work
+  std::vector<Skipped> skipped_wedges;     // that carry no fringe current, and why; of thin plates and details at the lowest
+                                           // frequency
+  std::vector<MechanismEntry> mechanisms;  // beside the tubes, in the order in which they run
+  std::vector<MechanismState> states;      // [mechanisms]
+  double seconds = 0.0;                    // that planning took
 
   /// Rays of geometrical optics and diffraction stand for currents.
   bool rays() const { return edges.method == EdgeMethod::utd; }
@@ -70,6 +73,11 @@ struct SolvePlan {
 
   /// What adds up the paths, over ground.
   GroundReflections reflections() const { return {*ground, asked, sweep, target.mesh.center}; }
+
+  /// Where a mechanism of this name stands among `mechanisms`; it must be there.
+  std::size_t index_of(std::string_view name) const;
+  /// What it says of itself.
+  const MechanismState& state(std::string_view name) const { return states[index_of(name)]; }
 
   double shortest_wavelength() const;  // [m]
   /// At every frequency nothing that a surface reflects meets another one.

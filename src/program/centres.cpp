@@ -42,7 +42,7 @@ std::string centres_text(const ScatteringCentres& found, const ScatteringMatrix&
     const ScatteringCentre& centre = found.centres[i];
     text += fmt::format("{:>4} {:>9.2f} dBsm VV {:>9.2f} dBsm HH  ({:.4g}, {:.4g}, {:.4g}) m  {}\n", i + 1,
                         sigma_dbsm(centre.s.vv()), sigma_dbsm(centre.s.hh()), centre.place.x + 0.0, centre.place.y + 0.0,
-                        centre.place.z + 0.0, scattering_mechanisms[centre.mechanism()]);
+                        centre.place.z + 0.0, found.mechanism_of(centre));
   }
   if (found.centres.size() > 10) text += fmt::format("     and {} more in centres.csv\n", found.centres.size() - 10);
   return text + fmt::format("look               VV {:.2f} dBsm, HH {:.2f} dBsm; all {} centres together {:+.2f} dB, {:+.2f} dB\n",
@@ -64,7 +64,7 @@ std::string centres_json(const LookCentres& look) {
                {"sigma_dbsm", levels(look.s)},           {"centres", Json::array()}};
   for (const ScatteringCentre& centre : look.found.centres)
     json["centres"].push_back({{"place_m", {centre.place.x, centre.place.y, centre.place.z}},
-                               {"mechanism", scattering_mechanisms[centre.mechanism()]},
+                               {"mechanism", look.found.mechanism_of(centre)},
                                {"sigma_dbsm", levels(centre.s)}});
   return text_of_json(json, 2) + '\n';
 }
@@ -92,7 +92,7 @@ void make_centres(const CentresRequest& asked) {
   product.write_files = [&](const std::filesystem::path& folder) {
     write_centres_csv(folder / "centres.csv", centres.found, look(), part_of, source.title);
     write_centres_ply(folder / "centres.ply", centres.found);
-    write_by_part_csv(folder / "by_part.csv", centres.pieces, look(), part_of);
+    write_by_part_csv(folder / "by_part.csv", centres.pieces, centres.found.mechanisms, look(), part_of);
   };
   product.write_netcdf = [&](const std::filesystem::path& file) {
     write_centres_netcdf(file, source.result, centres.found, look(), part_of, source.lines());

@@ -24,6 +24,7 @@
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
 #include "output/tables/stored.h"
+#include "plan/mechanism.h"
 #include "program/python.h"
 #include "program/solve_warnings.h"
 #include "program/work/progress_bar.h"
@@ -118,10 +119,11 @@ void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& optio
   CLI::Option* direct = command.add_flag(
       "--direct", options.direct,
       "For a case: from the place of every current, in the middle look at the middle frequency, without the sweep");
-  const std::string all = fmt::format("{}", fmt::join(scattering_mechanisms, ", "));
+  const std::vector<std::string> names = piece_names();
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
   add_value(command, "--mechanisms NAME,...", options.mechanisms, "With --direct, these alone: " + all,
-            [all](const std::string& name) {
-              const bool known = std::ranges::find(scattering_mechanisms, std::string_view(name)) != scattering_mechanisms.end();
+            [names, all](const std::string& name) {
+              const bool known = std::ranges::find(names, name) != names.end();
               return known ? "" : fmt::format("needs {} (found {})", all, name);
             })
       ->delimiter(',')
@@ -166,12 +168,12 @@ void direct_pieces(const SweepOptions& asked, const ProductSource& source, std::
   SolveOptions options{c.tubes, c.edges, c.surfaces, run.work.threads};
   options.progress = progress_of_pieces(run.work.quiet, look, frequency);
   const std::vector<std::string>& wanted = asked.mechanisms;
+  const std::vector<std::string> names = piece_names();
   bool any = false;
   const PieceSink keep_wanted = [&](const ScatteringPiece& piece) {
-    const std::string name = name_of(piece.mechanism);
-    if (!wanted.empty() && std::ranges::find(wanted, name) == wanted.end()) return;
+    if (!wanted.empty() && std::ranges::find(wanted, names[piece.mechanism]) == wanted.end()) return;
     any = any || largest_amplitude(piece.s) > 0.0;
-    sink({piece.place, piece.s, piece.mechanism <= ScatteringMechanism::later_bounces});
+    sink({piece.place, piece.s, piece.mechanism < tube_pieces.size()});
   };
   naming_the_case(c, [&] { scattering_pieces(*source.target, c.sweep, look, frequency, options, cell, keep_wanted, c.ground); });
   if (!wanted.empty() && !any)

@@ -202,7 +202,7 @@ std::vector<SurfaceRay> surface_rays_of(const Case& c, std::size_t look, Triangl
   const Case one = case_of_look(c, look, highest_of(c.sweep));
   const Target target(std::move(mesh), c.wedges);
   const SolvePlan plan = plan_of_case(target, one, all_threads(), false);
-  if (const MechanismState waves = entry_of(MechanismId::surface_waves).state(plan); !waves.on)
+  if (const MechanismState& waves = plan.state("surface_waves"); !waves.on)
     throw InputError(fmt::format("--surface-rays: {} has no waves over curved surfaces: {}; leave out the option, or change that",
                                  c.file.string(), waves.why_not));
   const LookSolver solver(plan);

@@ -5,10 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/field.h"
-#include "scene/mechanisms.h"
+#include "scene/contribution.h"
 
 namespace raytube {
 
@@ -88,7 +89,7 @@ inline void add_look(TruncatedSums& all, const TruncatedSums& look) {
 
 /// What became of a mechanism in a solve.
 struct MechanismUse {
-  std::string name;                            // as of scene/mechanisms.h
+  std::string name;                            // of its pieces
   std::string label;                           // in words
   std::string key;                             // of the case, by which it is asked for
   bool on = false;                             // it took part, in looks in which it could change the answer
@@ -107,19 +108,22 @@ struct Statistics {
   std::uint64_t looks_with_lost_rays = 0;  // looks with at least one
   std::vector<LostRay> first_lost_rays;    // most_lost_rays_told at most, in metres of the mesh's own coordinates
   TruncatedSums truncated;                 // tubes: sum over looks; sigma: the largest one of a look
-  double sliver_area = 0.0;      // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
-  std::uint64_t wedges = 0;      // wedges of the target, convex and concave
-  std::uint64_t wedges_lit = 0;  // sum over looks of the convex wedges at least partly lit, at the highest frequency
+  double sliver_area = 0.0;  // [m^2], sum over looks: parts of adaptive tubes too thin to be more than rounding, left out
+  std::uint64_t wedges = 0;  // wedges of the target, convex and concave
   std::uint64_t thin_plate_edges_lowest = 0, thin_plate_edges_highest = 0;  // half planes at the lowest and the highest frequency
-  std::uint64_t surface_strips = 0;       // sum over looks: strips across shadow boundaries of curved surfaces
-  std::uint64_t illuminating_pieces = 0;  // sum over looks: pieces of edges that light other surfaces, once for each wave on them
-  std::uint64_t windowed_rows = 0;        // rows touched by the forward-grazing window of the fringe currents
-  bool paths = false;                     // edges.method utd: tubes are paths of rays
+  std::vector<Count> counts;                                                // of the mechanisms, sums over looks
+  bool paths = false;                                                       // edges.method utd: tubes are paths of rays
   double ray_range = 0.0;                 // [m]: of these without [radar], amplitudes are apparent ones at this range; else 0
   std::vector<Skipped> skipped;           // what was left out, and why
   std::vector<MechanismUse> mechanisms;   // beside the tubes, in the order in which they run
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve
   double solve_s = 0.0;                   // mesh and BVH ready -> last sum
+
+  /// A count of a mechanism by its name in run.json; 0 if there is none.
+  std::uint64_t counted(std::string_view what) const {
+    const auto found = std::ranges::find(counts, what, &Count::what);
+    return found == counts.end() ? 0 : found->count;
+  }
 };
 
 /// One of the things that the asymptotic physics leaves out, over the rows of a sweep. An estimate, as of SweepResult::model.
@@ -131,6 +135,12 @@ struct ModelPart {
   double share = 0.0;                 // of the sum of the squares of all parts, 0 ... 1
   std::uint64_t rows_largest = 0;     // rows in which no other part is larger
   std::vector<ChannelErrors> rows{};  // [row] [m]; empty unless parts are kept
+};
+
+/// What adds to S in one column of parts.csv.
+struct MechanismRows {
+  std::string name;                    // of the column
+  std::vector<ScatteringMatrix> rows;  // [row] [m]
 };
 
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism. At a finite distance they are apparent
@@ -145,7 +155,14 @@ struct SweepResult {
 
   // The mechanisms; empty unless parts are kept.
   std::vector<std::vector<ScatteringMatrix>> bounces;  // bounces[m][row]: PO currents of bounce m + 1
-  ByPart<std::vector<ScatteringMatrix>> parts;         // [Part][row]: what adds to them
+  std::vector<MechanismRows> mechanisms;               // what adds to them
+
+  /// [row] of a column of `mechanisms` by its name; empty if it is not kept.
+  const std::vector<ScatteringMatrix>& of(std::string_view column) const {
+    static const std::vector<ScatteringMatrix> none;
+    const auto found = std::ranges::find(mechanisms, column, &MechanismRows::name);
+    return found == mechanisms.end() ? none : found->rows;
+  }
 
   std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
   Statistics statistics;                          // counts and times

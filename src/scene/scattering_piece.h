@@ -16,8 +16,8 @@ struct ScatteringPiece {
   // what is reflected on its way, or runs from edges to other edges and faces, or over curved surfaces, half of the path, and
   // between where it set out and where it is last. What a wave over a surface starts at a wedge radiates from there [m].
   dvec3 place;
-  ScatteringMatrix s;  // [m]
-  ScatteringMechanism mechanism;
+  ScatteringMatrix s;                     // [m]
+  std::size_t mechanism = 0;              // tube_pieces, and behind them the mechanisms of the solve
   std::optional<std::uint32_t> triangle;  // of the mesh, that the current is on; edges have none
 };
 

@@ -13,26 +13,22 @@ namespace {
 // One list of members for both ways.
 template <class Archive, class Look>
 void visit(Archive& archive, Look& look) {
-  auto& [tubes, others, met, truncated] = look;
+  auto& [tubes, mechanisms, met, truncated] = look;
   archive(tubes.bounces), archive(tubes.incoherent), archive(tubes.inside), archive(tubes.error), archive(tubes.hits);
   archive(tubes.tubes), archive(tubes.rays), archive(tubes.lost_rays), archive(tubes.truncated), archive(tubes.first_lost);
   archive(tubes.empty_cells), archive(tubes.faces_away), archive(tubes.sliver_area);
-  archive(met), archive(truncated);
-  for (auto& part : others.s.of) archive(part);
-  archive(others.error), archive(others.left_out), archive(others.windowed), archive(others.skipped);
-  for (auto& run : others.runs) archive(run.ran), archive(run.most_db), archive(run.work), archive(run.reach);
-  archive(others.wedges_lit), archive(others.surface_strips), archive(others.illuminating_pieces);
-  archive(others.interaction_pairs), archive(others.edges_lit);
+  archive(met), archive(truncated), archive(mechanisms);
 }
 
 bool has_frequencies(const LookResult& look, std::size_t count) {
-  const auto none_or_all = [count](const auto& list) { return list.empty() || list.size() == count; };
   const auto all = [count](const auto& list) { return list.size() == count; };
-  const auto ran_none_or_all = [&](const MechanismRun& run) { return none_or_all(run.ran); };
+  const auto none_or_all = [&](const auto& list) { return list.empty() || all(list); };
+  const auto fits = [&](const Contribution& part) {
+    return std::ranges::all_of(part.s, none_or_all) && none_or_all(part.error) && none_or_all(part.missing) &&
+           none_or_all(part.ran);
+  };
   return std::ranges::all_of(look.tubes.bounces, all) && all(look.tubes.error) && none_or_all(look.tubes.incoherent) &&
-         none_or_all(look.tubes.inside) && std::ranges::all_of(look.others.s.of, none_or_all) && none_or_all(look.others.error) &&
-         none_or_all(look.others.left_out) && none_or_all(look.others.windowed) &&
-         std::ranges::all_of(look.others.runs, ran_none_or_all);
+         none_or_all(look.tubes.inside) && std::ranges::all_of(look.mechanisms, fits);
 }
 
 // Puts values of a band where they belong among all.
@@ -65,13 +61,25 @@ void put_tubes(const BandScatter& scatter, TubeSums part, std::size_t frequencie
   all.add(part);
 }
 
-void put_runs(const BandScatter& scatter, LookSums& part, LookSums& all) {
-  for (std::size_t i = 0; i < mechanism_count; ++i) {
-    scatter(std::move(part.runs[i].ran), all.runs[i].ran);
-    all.runs[i].most_db = std::max(all.runs[i].most_db, part.runs[i].most_db);
-    all.runs[i].work += part.runs[i].work;
-    all.runs[i].reach = std::min(all.runs[i].reach, part.runs[i].reach);
-  }
+void put_count(Count part, std::vector<Count>& all) {
+  const auto found = std::ranges::find_if(all, [&](const Count& each) { return each.like(part); });
+  if (found == all.end()) return all.push_back(std::move(part));
+  std::uint64_t& count = found->count;
+  count = part.fold == Fold::sum    ? count + part.count
+          : part.fold == Fold::most ? std::max(count, part.count)
+                                    : std::min(count, part.count);
+}
+
+void put_contribution(const BandScatter& scatter, Contribution part, Contribution& all) {
+  if (all.s.size() < part.s.size()) all.s.resize(part.s.size());
+  for (std::size_t column = 0; column < part.s.size(); ++column) scatter(std::move(part.s[column]), all.s[column]);
+  scatter(std::move(part.error), all.error);
+  scatter(std::move(part.missing), all.missing);
+  scatter(std::move(part.ran), all.ran);
+  all.most_db = std::max(all.most_db, part.most_db);
+  all.work += part.work;
+  all.reach = std::min(all.reach, part.reach);
+  for (Count& count : part.counts) put_count(std::move(count), all.counts);
 }
 
 }  // namespace
@@ -81,18 +89,9 @@ void put_band(const BandPlan& band, LookResult part, std::size_t frequencies, Lo
   put_tubes(scatter, std::move(part.tubes), frequencies, all.tubes);
   std::ranges::move(part.met, std::back_inserter(all.met));
   std::ranges::copy(part.truncated, std::back_inserter(all.truncated));
-  LookSums &others = part.others, &sums = all.others;
-  for (std::size_t i = 0; i < all_parts.size(); ++i) scatter(std::move(others.s.of[i]), sums.s.of[i]);
-  scatter(std::move(others.error), sums.error);
-  scatter(std::move(others.left_out), sums.left_out);
-  scatter(std::move(others.windowed), sums.windowed);
-  put_runs(scatter, others, sums);
-  sums.skipped += others.skipped;
-  sums.wedges_lit = std::max(sums.wedges_lit, others.wedges_lit);
-  sums.surface_strips += others.surface_strips;
-  sums.illuminating_pieces += others.illuminating_pieces;
-  sums.interaction_pairs += others.interaction_pairs;
-  sums.edges_lit = sums.edges_lit || others.edges_lit;
+  all.mechanisms.resize(part.mechanisms.size());
+  for (std::size_t i = 0; i < part.mechanisms.size(); ++i)
+    put_contribution(scatter, std::move(part.mechanisms[i]), all.mechanisms[i]);
 }
 
 void LookResult::keep_sums_only() {

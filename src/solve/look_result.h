@@ -7,14 +7,14 @@
 
 #include "plan/plan.h"
 #include "sbr/beams/tube_sums.h"
-#include "solve/mechanisms/look_sums.h"
+#include "scene/contribution.h"
 
 namespace raytube {
 
 /// One look, all frequencies: what the tubes and the other mechanisms give, kept apart.
 struct LookResult {
   TubeSums tubes;
-  LookSums others;
+  std::vector<Contribution> mechanisms{};  // beside them, in the order of the plan
   std::vector<std::vector<double>> met{};  // [band] TubeSums::met
   std::vector<double> truncated{};         // [band] area times squared amplitude of truncated tubes [m^2]
 

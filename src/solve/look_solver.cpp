@@ -16,20 +16,17 @@ namespace {
 void make_look_reciprocal(LookResult& look) {
   for (std::vector<ScatteringMatrix>& bounce : look.tubes.bounces) make_reciprocal(bounce);
   for (ChannelErrors& error : look.tubes.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
-  for (std::vector<ScatteringMatrix>& part : look.others.s.of) make_reciprocal(part);
-}
-
-ScatteringMechanism mechanism_of_bounce(int bounce) {
-  return bounce == 0   ? ScatteringMechanism::first_bounce
-         : bounce == 1 ? ScatteringMechanism::second_bounce
-                       : ScatteringMechanism::later_bounces;
+  for (Contribution& part : look.mechanisms) {
+    for (std::vector<ScatteringMatrix>& column : part.s) make_reciprocal(column);
+    for (ChannelErrors& error : part.error) error[0][1] = error[1][0] = 0.5 * (error[0][1] + error[1][0]);
+  }
 }
 
 }  // namespace
 
 BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
     : scene_(plan, plan.bands[band]), band_(band), model_(model) {
-  for (const MechanismEntry& entry : mechanism_list()) mechanisms_[static_cast<std::size_t>(entry.id)] = entry.make(scene_);
+  for (const MechanismEntry& entry : plan.mechanisms) mechanisms_.push_back(entry.make(scene_));
   if (plan.rays())
     ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,
                         plan.max_bounces());
@@ -41,8 +38,7 @@ LookResult BandSolver::solve(const Look& look, Progress& progress, double share,
   LookResult result;
   result.tubes = trace_tubes(look, progress, first_tubes_share * share, nullptr);
   LookSink sink;
-  run_mechanisms({look, result.tubes}, sink, begins);
-  result.others = std::move(sink.sums);
+  result.mechanisms = run_mechanisms({look, result.tubes}, sink, begins);
   result.met = {result.tubes.met};
   result.truncated = {result.tubes.truncated.sigma()};
   if (!plan.sweep.bistatic) make_look_reciprocal(result);
@@ -62,7 +58,9 @@ void BandSolver::solve_image(const Look& look, std::size_t frequency_index, cons
 
 void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
                               const PieceSink& sink, const std::optional<double>& mirror) const {
-  const CurrentSink take = [&](const CurrentPiece& of) { sink({of.place, of.s, mechanism_of_bounce(of.bounce), of.triangle}); };
+  const CurrentSink take = [&](const CurrentPiece& of) {
+    sink({of.place, of.s, std::min<std::size_t>(of.bounce, tube_pieces.size() - 1), of.triangle});
+  };
   CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, mirror);
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
   const ImageRequest request = edge_pieces(look, tubes, {0, edges, !mirror});
@@ -70,7 +68,7 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
     const ImageEdge& edge = request.pieces[i];
     dvec3 place = 0.5 * (edge.begin + edge.end);
     if (mirror) place.z = *mirror;
-    sink({place, edge.s, entry_of(request.mechanisms[i]).scatters, {}});
+    sink({place, edge.s, tube_pieces.size() + request.mechanisms[i], {}});
   }
 }
 
@@ -93,26 +91,28 @@ TubeSums BandSolver::trace_tubes(const Look& look, Progress& progress, double sh
   return sbr_scattering(scene_.tubes, look, scene_.band.frequencies, scene_.plan.tubes, work);
 }
 
-void BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const {
-  if (begins) begins(LookStage::edges);
-  for (const MechanismEntry& entry : mechanism_list()) {
-    if (begins && entry.id == MechanismId::interaction) begins(LookStage::interaction);
-    run(entry.id, look, sink);
+std::vector<Contribution> BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const {
+  std::vector<Contribution> all;
+  for (std::size_t i = 0; i < mechanisms_.size(); ++i) {
+    if (begins) begins(i);
+    all.push_back(run(i, look, sink));
   }
+  return all;
 }
 
-void BandSolver::run(MechanismId id, const TracedLook& look, LookSink& sink) const {
-  const std::unique_ptr<Mechanism>& mechanism = mechanisms_[static_cast<std::size_t>(id)];
-  if (!mechanism) return;
-  const Prospect prospect = mechanism->prospect(look, sink.sums);
+Contribution BandSolver::run(std::size_t i, const TracedLook& look, LookSink& sink) const {
+  if (!mechanisms_[i]) return {};
+  const Prospect prospect = mechanisms_[i]->prospect(look);
   const Decision decision = decide(prospect, look.tubes, scene_.band.frequencies.size(), scene_.plan.tubes.tolerance_db);
-  MechanismRun& told = sink.sums.run(id);
-  told.most_db = decision.most_db;
-  if (prospect.reach < least_reach) told.reach = prospect.reach;
-  if (!decision.any()) return;
-  told.ran = decision.wanted;
-  mechanism->solve(look, decision.wanted, sink);
-  if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), id);
+  Contribution result;
+  if (decision.any()) {
+    result = mechanisms_[i]->solve(look, decision.wanted, sink);
+    if (result.ran.empty()) result.ran = decision.wanted;
+    if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), i);
+  }
+  result.most_db = decision.most_db;
+  if (prospect.reach < least_reach) result.reach = prospect.reach;
+  return result;
 }
 
 std::vector<SurfaceRay> BandSolver::surface_rays(const Look& look) const {
@@ -135,8 +135,10 @@ LookResult BandSolver::rays(const Look& look, Progress& progress, double share) 
   result.tubes.hits = std::move(found.paths);
   result.tubes.rays = found.rays;
   result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
-  result.others.wedges_lit = found.edge_rays;
-  result.others.s[Part::edges_first] = std::move(found.edges);
+  result.mechanisms.resize(scene_.plan.mechanisms.size());
+  Contribution& edges = result.mechanisms[scene_.plan.index_of("edges")];  // diffracted rays stand in the place of edge currents
+  edges.s = {std::move(found.edges)};
+  edges.counts = {{.what = "wedges_lit", .count = found.edge_rays, .fold = Fold::most}};
   result.met.resize(1), result.truncated.resize(1);
   progress.add(share);
   return result;

@@ -10,7 +10,8 @@
 #include "sbr/sbr.h"
 #include "scene/scattering_piece.h"
 #include "solve/look_result.h"
-#include "solve/mechanisms/list.h"
+#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/mechanism.h"
 #include "solve/model_uncertainty.h"
 #include "utd/gtd/ray_fields.h"
 
@@ -19,9 +20,8 @@ namespace raytube {
 /// Of the progress of a look, what is told as its tubes go on for the first time: they may be refined, and edges follow.
 inline constexpr double first_tubes_share = 0.5;
 
-/// What a look is at, in this order: interaction is the last of the mechanisms, and the one with a budget.
-enum class LookStage { tubes, edges, interaction };
-using StageCallback = std::function<void(LookStage)>;
+/// Told of a mechanism of the plan, by its index, before it begins.
+using StageCallback = std::function<void(std::size_t mechanism)>;
 
 /// Computes looks at the frequencies of one band. Refers to the plan and its model uncertainty.
 class BandSolver {
@@ -47,13 +47,13 @@ class BandSolver {
   TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
   ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const;
   LookResult rays(const Look& look, Progress& progress, double share) const;
-  void run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
-  void run(MechanismId id, const TracedLook& look, LookSink& sink) const;
+  std::vector<Contribution> run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
+  Contribution run(std::size_t mechanism, const TracedLook& look, LookSink& sink) const;
 
   BandScene scene_;
   std::size_t band_;
   const ModelUncertainty& model_;
-  std::array<std::unique_ptr<Mechanism>, mechanism_count> mechanisms_;  // [MechanismId]; null: not there
+  std::vector<std::unique_ptr<Mechanism>> mechanisms_;  // in the order of the plan; null: not there
   std::optional<RayFields> ray_fields_;
 };
 
@@ -63,8 +63,7 @@ class LookSolver {
   explicit LookSolver(const SolvePlan& plan);
 
   /// All mechanisms of look `index` of the sweep at every frequency, phase reference at the centre of the mesh (at a finite
-  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by. Tells when a stage
-  /// after the first `begins`.
+  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by. Tells when a mechanism `begins`.
   LookResult solve(std::size_t index, Progress& progress, double share, const StageCallback& begins = {}) const;
 
   /// Fills an image of look `index` with what adds to it at one of the sweep's frequencies: tubes in cells and triangles, all

@@ -7,7 +7,6 @@
 #include "sbr/curved/curved_cells.h"
 #include "sbr/launch/launch.h"
 #include "sbr/sbr.h"
-#include "solve/mechanisms/list.h"
 #include "uncertainty/omissions.h"
 
 namespace raytube {
@@ -16,25 +15,25 @@ namespace {
 
 // A look, its directions, its place in the plan and in the collector, and the plan's key of it in a hash table.
 constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80 + omissions * sizeof(double);
-constexpr double other_parts = all_parts.size();
 
-double bytes_per_row(int bounces, bool keep_parts) {
-  const double parts = keep_parts ? bounces + other_parts : 0.0, model = keep_parts ? 1.0 + omissions : 1.0;
+// Of the mechanisms beside the tubes.
+double columns_of(const SolvePlan& plan) {
+  double count = 0.0;
+  for (const MechanismEntry& mechanism : plan.mechanisms) count += static_cast<double>(mechanism.columns.size());
+  return count;
+}
+
+double bytes_per_row(const SolvePlan& plan, int bounces) {
+  const double parts = plan.keep_parts ? bounces + columns_of(plan) : 0.0, model = plan.keep_parts ? 1.0 + omissions : 1.0;
   return (1.0 + model) * sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
-double mechanism_bytes(const SolvePlan& plan) {
-  double bytes = 0.0;
-  for (const MechanismEntry& entry : mechanism_list())
-    if (entry.bytes && entry.state(plan).on) bytes += entry.bytes(plan);
-  return bytes;
-}
-
-double mechanism_look_bytes(const SolvePlan& plan) {
-  double bytes = 0.0;
-  for (const MechanismEntry& entry : mechanism_list())
-    if (entry.look_bytes && entry.state(plan).on) bytes += entry.look_bytes(plan);
-  return bytes;
+// What the mechanisms that take part hold: for all looks, or for each look under way.
+double mechanism_bytes(const SolvePlan& plan, double (*MechanismEntry::*bytes)(const SolvePlan&)) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i)
+    if (plan.mechanisms[i].*bytes && plan.states[i].on) sum += (plan.mechanisms[i].*bytes)(plan);
+  return sum;
 }
 
 // In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
@@ -90,11 +89,11 @@ MemoryEstimate estimate_memory(const SolvePlan& plan) {
   const std::size_t frequencies = plan.sweep.frequencies.size();
   const auto rows = static_cast<double>(plan.sweep.rows()), looks = static_cast<double>(plan.sweep.looks.size());
   const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
-  const double edge_sums = other_parts * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
-  return {rows * bytes_per_row(bounces, plan.keep_parts) + looks * bytes_per_look,
+  const double edge_sums = columns_of(plan) * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
+  return {rows * bytes_per_row(plan, bounces) + looks * bytes_per_look,
           static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + refined_bytes(plan) +
-                                            edge_sums + mechanism_look_bytes(plan)),
-          mechanism_bytes(plan)};
+                                            edge_sums + mechanism_bytes(plan, &MechanismEntry::look_bytes)),
+          mechanism_bytes(plan, &MechanismEntry::bytes)};
 }
 
 }  // namespace raytube

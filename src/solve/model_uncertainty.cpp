@@ -8,8 +8,6 @@
 
 #include "mesh/features/thin_plates.h"
 #include "scene/frequency_bands.h"
-#include "solve/mechanisms/list.h"
-#include "solve/mechanisms/states.h"
 #include "utd/sheet/sheet_admittance.h"
 
 namespace raytube {
@@ -69,9 +67,8 @@ void ModelUncertainty::find_edges(std::size_t frequency, double wavelength) {
 }
 
 EdgeCurrents ModelUncertainty::edge_currents(std::size_t frequency) const {
-  const MechanismId waves = MechanismId::surface_waves;
   const bool of_materials = plan_.fringe() && plan_.edges.materials != MaterialEdgeMethod::none;
-  EdgeCurrents currents{plan_.fringe(), of_materials, {}, {}, entry_of(waves).state(plan_).on};
+  EdgeCurrents currents{plan_.fringe(), of_materials, {}, {}, plan_.state("surface_waves").on};
   const double k = wavenumber(plan_.sweep.frequencies[frequency]);
   for (const Material& material : plan_.sweep.materials) {
     currents.material_strengths.push_back(edge_strength(material, frequency, k));
@@ -105,17 +102,8 @@ RowEvidence ModelUncertainty::evidence(const Look& look, const LookResult& resul
   RowEvidence row = evidence_of_tubes(look, frequency, bounces);
   row.met = result.met[body_of_[frequency]];
   add_inside(result.tubes, frequency, row);
-  const LookSums& others = result.others;
-  const auto part = [&](Part which) { return others.s[which].empty() ? ScatteringMatrix() : others.s[which][frequency]; };
-  row.edges = part(Part::edges_first), row.higher = part(Part::edges_higher), row.interaction = part(Part::interaction);
-  row.surface_waves = part(Part::surface_waves);
-  const bool some_left_out = others.skipped.pairs_beyond_budget > 0 || others.run(MechanismId::interaction).out_of_reach();
-  const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
-  const auto ran = [&](MechanismId id) { return !others.run(id).ran.empty() && others.run(id).ran[frequency]; };
-  row.has_surface_waves = ran(MechanismId::surface_waves) && waves_run_over_all_materials(plan_);
-  const bool sheets = std::ranges::any_of(plan_.sweep.materials, &Material::transmits);  // waves of edges end at them
-  row.has_interaction = ran(MechanismId::interaction) && !others.s[Part::interaction].empty() && !none_afforded && !sheets;
-  if (!others.left_out.empty()) row.left_out = others.left_out[frequency];
+  for (std::size_t i = 0; i < result.mechanisms.size(); ++i)
+    if (const auto tell = plan_.mechanisms[i].tell) tell(plan_, result.mechanisms[i], frequency, row);
   row.truncated =
       plan_.sweep.materials.empty() ? result.truncated[body_of_[frequency]] : 0.0;  // else it is in the numerical error
   return row;
@@ -132,8 +120,7 @@ std::vector<OmissionErrors> ModelUncertainty::of(const Look& look, const LookRes
 
 std::vector<ChannelErrors> ModelUncertainty::at_least(const Look& look, std::size_t band, const TubeSums& tubes) const {
   const std::vector<LookFeatures> found = features(look);
-  const auto on = [&](MechanismId id) { return entry_of(id).state(plan_).on; };
-  const bool waves = on(MechanismId::surface_waves), interaction = on(MechanismId::interaction);
+  const bool waves = plan_.state("surface_waves").on, interaction = plan_.state("interaction").on;
   std::vector<ChannelErrors> errors;
   const std::vector<std::size_t>& frequencies = plan_.bands[band].indices;
   for (std::size_t i = 0; i < frequencies.size(); ++i) {

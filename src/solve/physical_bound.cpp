@@ -40,7 +40,7 @@ PhysicalBound PhysicalBounds::of(const Look& look, std::size_t frequency_index) 
   const bool monostatic = look.far() && look.transmit == look.receive;
   const double projected = per_area * projected_area(spherical_basis(look.transmit).radial);
   const double edges = length + (monostatic ? 0.0 : all);
-  return {monostatic ? std::min(all, projected) : all, all, {{all, edges, (plan_.edges.order - 1) * edges, all}}};
+  return {monostatic ? std::min(all, projected) : all, all, {all, edges, plan_.edges.order}};
 }
 
 }  // namespace raytube

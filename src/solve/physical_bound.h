@@ -14,14 +14,13 @@
 #include <vector>
 
 #include "plan/plan.h"
-#include "scene/mechanisms.h"
 
 namespace raytube {
 
 /// The bounds of one row [m].
 struct PhysicalBound {
   double first_bounce, later_bounces;
-  ByPart<double> parts;
+  AmplitudeLimits limits;  // of the mechanisms
 };
 
 /// Of a target and a sweep. Keeps a reference to the plan.

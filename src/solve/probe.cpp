@@ -15,7 +15,6 @@
 #include "core/threads.h"
 #include "plan/admissible.h"
 #include "solve/look_solver.h"
-#include "solve/mechanisms/states.h"
 
 namespace raytube {
 
@@ -60,10 +59,11 @@ std::size_t spread(std::size_t n, std::size_t count) {
   return std::min(count - 1, static_cast<std::size_t>(place * static_cast<double>(count)));
 }
 
-// The same looks, tubes at once as dense as may be, without edge-face interaction, which has a budget.
+// The same looks, tubes at once as dense as may be, without mechanisms that have a budget.
 SolvePlan bounded_part(const SolvePlan& plan) {
   SolvePlan part = plan;
-  part.edges.interaction = false;
+  for (std::size_t i = 0; i < part.mechanisms.size(); ++i)
+    if (part.mechanisms[i].budget_key) part.states[i] = without("its budget bounds its time");
   if (!plan.tubes.refines()) return part;
   const double densest = densest_tubes(plan.target.mesh, plan.sweep, plan.tubes);
   part.tubes.per_wavelength = std::max(first_density(plan.tubes), std::min(plan.tubes.max_per_wavelength, 0.9 * densest));
@@ -110,8 +110,10 @@ class Probe {
       if (of_tubes <= 1.0 + share_rounding) so_far.share = of_tubes, so_far.share_s = so_far.passed_s;
       return true;
     });
-    const auto begins = [&](LookStage stage) {
-      (stage == LookStage::edges ? so_far.tubes_s : so_far.edges_s) = so_far.passed_s = seconds_since(start);
+    const auto begins = [&](std::size_t mechanism) {
+      so_far.passed_s = seconds_since(start);
+      if (mechanism == 0) so_far.tubes_s = so_far.passed_s;
+      if (plan_.mechanisms[mechanism].budget_key) so_far.edges_s = so_far.passed_s;
     };
     const std::size_t look = plan_.looks.computed[spread(n, plan_.looks.computed.size())];
     try {
@@ -175,7 +177,7 @@ double longest_look(const LookSoFar& look, const SolvePlan& plan) {
   const double pass = look.tubes_s.value_or(std::max(look.passed_s, so_far));
   const double begun = look.tubes_s ? std::max(0.1 * pass, look.passed_s - pass) : pass;
   const double edges = look.edges_s ? *look.edges_s - pass : unknown_edges * begun;
-  const double budget = interaction_state(plan).on ? plan.edges.interaction_budget : 0.0;
+  const double budget = plan.state("interaction").on ? plan.edges.interaction_budget : 0.0;
   return (all_passes * pass + edges) * (1.0 + budget);
 }
 

@@ -37,13 +37,13 @@ RandomSums sums_of_bytes(const std::string& bytes) {
 
 constexpr double solution_share = 0.5;  // of the progress; the random runs have the rest
 
-using Rows = std::vector<ScatteringMatrix>;
+using Amplitudes = std::vector<ScatteringMatrix>;
 
 // S of what random tubes do not replace.
-Rows fixed_part(const SweepResult& solution) {
-  Rows rows(solution.total.size());
-  for (const Part part : all_parts)
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += solution.parts[part][i];
+Amplitudes fixed_part(const SweepResult& solution) {
+  Amplitudes rows(solution.total.size());
+  for (const MechanismRows& part : solution.mechanisms)
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] += part.rows[i];
   return rows;
 }
 
@@ -77,9 +77,9 @@ std::vector<RandomSums> draw(const SolvePlan& plan, const RandomOptions& random,
   return drawn;
 }
 
-// Rows of one run; monostatic ones are made reciprocal as solve() does.
-Rows rows_of_run(const SolvePlan& plan, const Rows& fixed, const RandomSums* looks) {
-  Rows tubes, rows = fixed;
+// Amplitudes of one run; monostatic ones are made reciprocal as solve() does.
+Amplitudes rows_of_run(const SolvePlan& plan, const Amplitudes& fixed, const RandomSums* looks) {
+  Amplitudes tubes, rows = fixed;
   for (std::size_t i = 0; i < plan.sweep.looks.size(); ++i)
     tubes.insert(tubes.end(), looks[i].scattering.begin(), looks[i].scattering.end());
   tubes = sum_of_paths(plan, std::move(tubes));
@@ -103,9 +103,9 @@ Moments moments(const std::vector<double>& values) {
 }
 
 // Adds the statistics of one channel of one row over the runs to the result.
-void describe(RandomResult& result, const std::vector<Rows>& runs, std::size_t row, int p, int q) {
+void describe(RandomResult& result, const std::vector<Amplitudes>& runs, std::size_t row, int p, int q) {
   std::vector<double> re, im, levels;
-  for (const Rows& run : runs) {
+  for (const Amplitudes& run : runs) {
     const Complex s = run[row].at(p, q);
     re.push_back(s.real()), im.push_back(s.imag()), levels.push_back(decibels(s));
   }
@@ -157,8 +157,8 @@ RandomResult solve_with_random_tubes(const SolvePlan& plan, const RandomOptions&
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
 
   const std::size_t looks = plan.sweep.looks.size(), rows = plan.asked.rows();
-  const Rows fixed = fixed_part(result.deterministic);
-  std::vector<Rows> runs;
+  const Amplitudes fixed = fixed_part(result.deterministic);
+  std::vector<Amplitudes> runs;
   for (std::size_t run = 0; run < static_cast<std::size_t>(random.runs); ++run)
     runs.push_back(rows_of_run(plan, fixed, &drawn[run * looks]));
   result.mean.total.resize(rows), result.mean.error.resize(rows), result.spread.resize(rows);

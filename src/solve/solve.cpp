@@ -61,7 +61,7 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
   if (kept.begin) kept.begin(looks);
   const LookSolver solver(plan);
   // The rows of each look, and of those that repeat it or are its mirror image.
-  RowCollector rows(plan, solver.model_uncertainty(), solver.edge_lengths());
+  Rows rows(plan, solver.model_uncertainty(), solver.edge_lengths());
   Progress progress(callback);
   const double share = 1.0 / static_cast<double>(looks);
   const LookDone add = [&rows](std::size_t index, const LookResult& look) { rows.add(index, look); };

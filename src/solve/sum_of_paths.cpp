@@ -41,10 +41,7 @@ class PathSum {
 
  private:
   static void add(const ScatteringMatrix& row, ScatteringMatrix& sum) { sum += row; }
-  static void add(const ChannelErrors& row, ChannelErrors& sum) {
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) sum[p][q] += row[p][q];
-  }
+  static void add(const ChannelErrors& row, ChannelErrors& sum) { raytube::add(row, sum); }
 
   const Sweep &asked_, &paths_;
   GroundReflections reflections_;
@@ -83,7 +80,8 @@ void tell_model(SweepResult& result) {
 void tell_looks(const PathSum& sum, const Sweep& sweep, Statistics& s) {
   for (LostRay& ray : s.first_lost_rays) ray.look = sum.look_of(ray.look);
   s.looks_with_lost_rays = std::min<std::uint64_t>(s.looks_with_lost_rays, sweep.looks.size());
-  s.windowed_rows = std::min<std::uint64_t>(s.windowed_rows, sweep.rows());
+  for (Count& count : s.counts)
+    if (count.what == "windowed_rows") count.count = std::min<std::uint64_t>(count.count, sweep.rows());
   for (BeyondBound& part : s.beyond_bound) {
     part.worst = sum.row_of(part.worst);
     part.rows = std::min<std::uint64_t>(part.rows, sweep.rows());
@@ -92,7 +90,7 @@ void tell_looks(const PathSum& sum, const Sweep& sweep, Statistics& s) {
 
 void drop_parts(SweepResult& result) {
   result.bounces.clear();
-  for (std::vector<ScatteringMatrix>& part : result.parts.of) part.clear();
+  result.mechanisms.clear();
   for (ModelPart& part : result.model_parts) part.rows.clear();
 }
 
@@ -102,7 +100,7 @@ SweepResult sum_of_paths(const SolvePlan& plan, SweepResult solved) {
   const PathSum sum(plan);
   sum.add_up(solved.total);
   for (std::vector<ScatteringMatrix>& bounce : solved.bounces) sum.add_up(bounce);
-  for (std::vector<ScatteringMatrix>& part : solved.parts.of) sum.add_up(part);
+  for (MechanismRows& part : solved.mechanisms) sum.add_up(part.rows);
   sum.add_up(solved.error);
   for (ModelPart& part : solved.model_parts) sum.add_up(part.rows);
   tell_model(solved);

@@ -40,8 +40,7 @@ std::string up_to_budget(const char* key, double budget) {
 // The budget for all pairs, taken to cost as much each as those that were computed: these are the strongest, and so not the
 // cheapest. A look that leaves pairs out has spent its budget.
 std::string larger_budget(double budget, const RemedyEvidence& evidence) {
-  const SkipCounts& skips = evidence.skips;
-  const std::uint64_t left = skips.pairs_beyond_budget + skips.reflections_beyond_budget + skips.fringe_beyond_budget;
+  const std::uint64_t left = evidence.pairs_left_out;
   if (left == 0 || evidence.interaction_pairs == 0 || evidence.interaction_left_out < worth_naming) return no_interaction;
   const double needed = std::ceil(budget * (1.0 + static_cast<double>(left) / static_cast<double>(evidence.interaction_pairs)));
   const double factor = (1.0 + needed) / (1.0 + budget);

@@ -6,7 +6,6 @@
 
 #include "scene/options.h"
 #include "scene/results.h"
-#include "scene/skipped.h"
 #include "uncertainty/omissions.h"
 
 namespace raytube {
@@ -16,13 +15,13 @@ struct RemedyEvidence {
   const EdgeOptions& edges;
   const TubeOptions& tubes;
   const SurfaceOptions& surfaces;
-  bool materials = false;       // other than perfect conductors
-  bool sheets = false;          // some of them let waves through
-  double curved_edges = 0.0;    // of the length of weak edges: beside curved faces
-  double possible_pairs = 0.0;  // of an edge and a face of the target
-  const SkipCounts& skips;
   const TruncatedSums& truncated;
   const std::vector<std::uint64_t>& hits;  // tubes that met a surface, by bounce
+  bool materials = false;                  // other than perfect conductors
+  bool sheets = false;                     // some of them let waves through
+  double curved_edges = 0.0;               // of the length of weak edges: beside curved faces
+  double possible_pairs = 0.0;             // of an edge and a face of the target
+  std::uint64_t pairs_left_out = 0;        // of an edge and a face or a mirror: for the sake of the budget of interaction
   std::uint64_t interaction_pairs = 0;     // of an edge and a face, that were computed
   double interaction_left_out = 0.0;       // of the squares of what is missing of edge-face interaction: for its budget's sake
   std::uint64_t looks_without_waves = 0;   // over curved surfaces, which were too weak there

@@ -55,10 +55,7 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
   }
   ASSERT_EQ(one.bounces.size(), other.bounces.size());
   for (std::size_t b = 0; b < one.bounces.size(); ++b) EXPECT_TRUE(same_bytes(one.bounces[b], other.bounces[b]));
-  EXPECT_TRUE(same_bytes(one.parts[Part::edges_first], other.parts[Part::edges_first]));
-  EXPECT_TRUE(same_bytes(one.parts[Part::edges_higher], other.parts[Part::edges_higher]));
-  EXPECT_TRUE(same_bytes(one.parts[Part::interaction], other.parts[Part::interaction]));
-  EXPECT_TRUE(same_bytes(one.parts[Part::surface_waves], other.parts[Part::surface_waves]));
+  for (const MechanismRows& column : one.mechanisms) EXPECT_TRUE(same_bytes(column.rows, other.of(column.name)));
   const Statistics &a = one.statistics, &b = other.statistics;
   EXPECT_EQ(a.tubes, b.tubes);
   EXPECT_EQ(a.rays, b.rays);
@@ -76,9 +73,8 @@ void expect_same(const SweepResult& one, const SweepResult& other) {
     EXPECT_EQ(a.first_lost_rays[i].look, b.first_lost_rays[i].look);
   }
   EXPECT_EQ(a.sliver_area, b.sliver_area);
-  EXPECT_EQ(a.wedges_lit, b.wedges_lit);
-  EXPECT_EQ(a.illuminating_pieces, b.illuminating_pieces);
-  EXPECT_EQ(a.windowed_rows, b.windowed_rows);
+  ASSERT_EQ(a.counts.size(), b.counts.size());
+  for (std::size_t i = 0; i < a.counts.size(); ++i) EXPECT_EQ(a.counts[i].count, b.counts[i].count) << a.counts[i].what;
   ASSERT_EQ(a.skipped.size(), b.skipped.size());
   for (std::size_t i = 0; i < a.skipped.size(); ++i) EXPECT_EQ(a.skipped[i].count, b.skipped[i].count) << a.skipped[i].what;
 }
@@ -189,9 +185,9 @@ LookResult some_look() {
   look.tubes.lost_rays = 2;
   look.tubes.first_lost = {{{0.1, 1e-300, -0.0}, 7}, {{0.2, 3.0, 4.0}, 8}};
   look.tubes.sliver_area = 1e-17;
-  look.others.s[Part::edges_first].resize(2);
-  look.others.windowed = {false, true};
-  look.others.edges_lit = true;
+  look.mechanisms.resize(2);
+  look.mechanisms[1] = {.s = {std::vector<ScatteringMatrix>(2), {}}, .ran = {false, true}, .most_db = 0.1};
+  look.mechanisms[1].counts = {{"looks without edge currents", "no edge is lit", 1, Fold::least}};
   return look;
 }
 
@@ -206,9 +202,11 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_EQ(again->tubes.hits, look.tubes.hits);
   EXPECT_EQ(again->met, look.met);
   EXPECT_EQ(again->tubes.truncated[Truncation::width].sigma, 1e-300);
-  EXPECT_EQ(again->others.windowed, look.others.windowed);
-  EXPECT_TRUE(again->others.edges_lit);
-  EXPECT_TRUE(again->others.s[Part::interaction].empty());
+  ASSERT_EQ(again->mechanisms.size(), 2u);
+  EXPECT_EQ(again->mechanisms[1].ran, look.mechanisms[1].ran);
+  EXPECT_EQ(again->mechanisms[1].counted("looks without edge currents"), 1u);
+  EXPECT_EQ(again->mechanisms[1].counts[0].fold, Fold::least);
+  EXPECT_TRUE(again->mechanisms[0].s.empty());
 }
 
 TEST(LookBytes, OtherBytesAreNoLook) {

@@ -84,12 +84,12 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
   o.tubes.mode = TubeMode::adaptive;
   o.threads = 1;
   const SweepResult one = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
-  EXPECT_GT(one.statistics.illuminating_pieces, 0u);
+  EXPECT_GT(one.statistics.counted("edge_illumination_pieces"), 0u);
   for (const int threads : thread_counts) {
     o.threads = threads;
     const SweepResult many = solve_soup(shapes::dihedral(0.1, 0.12), sweep, o);
     EXPECT_TRUE(same_bytes(one.total, many.total)) << threads << " threads";
-    EXPECT_TRUE(same_bytes(one.parts[Part::interaction], many.parts[Part::interaction])) << threads << " threads";
+    EXPECT_TRUE(same_bytes(one.of("interaction"), many.of("interaction"))) << threads << " threads";
     EXPECT_EQ(one.error, many.error) << threads << " threads";
     EXPECT_EQ(one.model, many.model) << threads << " threads";
     ASSERT_EQ(one.model_parts.size(), many.model_parts.size());

@@ -44,7 +44,7 @@ Solved solve_body(const PolygonSoup& soup, const Sweep& sweep, const SolveOption
 }
 
 double sum(const PhysicalBound& bound) {
-  return bound.first_bounce + bound.later_bounces + bound.parts[Part::edges_first] + bound.parts[Part::edges_higher];
+  return bound.first_bounce + bound.later_bounces + bound.limits.edges + (bound.limits.edge_order - 1) * bound.limits.edges;
 }
 
 struct Worst {
@@ -82,9 +82,11 @@ TEST(EdgeBounds, NoBodyBeyondItsBoundAndNoCliff) {
         const std::string name = fmt::format("{} {}, order {}, look {}", body.kind, b, order, i);
         const PhysicalBound& bound = here.bounds[i];
         ASSERT_TRUE(std::isfinite(frobenius_norm(here.result.total[i]))) << name;
-        first.take(largest_amplitude(here.result.parts[Part::edges_first][i]) / bound.parts[Part::edges_first], name);
+        first.take(largest_amplitude(here.result.of("edges_order_1")[i]) / bound.limits.edges, name);
         if (order > 1)
-          higher.take(largest_amplitude(here.result.parts[Part::edges_higher][i]) / bound.parts[Part::edges_higher], name);
+          higher.take(
+              largest_amplitude(here.result.of("edges_order_2_on")[i]) / (bound.limits.edge_order - 1) * bound.limits.edges,
+              name);
         const double change_here = largest_amplitude(here.result.total[i] - there.result.total[i]);
         const double share = change_here / std::max({sum(bound), sum(there.bounds[i]), least_bound});
         if (share > 0.01) fmt::print("cliff of {:.2g} at {}\n", share, name);

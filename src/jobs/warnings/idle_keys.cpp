@@ -7,7 +7,7 @@
 
 #include "case/data/names.h"
 #include "plan/material_edges.h"
-#include "solve/mechanisms/list.h"
+#include "plan/plan.h"
 
 namespace raytube {
 
@@ -15,23 +15,21 @@ namespace {
 
 using Reason = std::string;  // empty: the key has an effect
 
-Reason why_not(MechanismId id, const SolvePlan& plan) { return entry_of(id).state(plan).why_not; }
+Reason why_not(std::string_view mechanism, const SolvePlan& plan) { return plan.state(mechanism).why_not; }
 
 Reason no_currents(const SolvePlan& plan) {
   if (plan.fringe()) return {};
   return fmt::format("edges.method is \"{}\"", word_of(plan.edges.method));
 }
 
-Reason no_edges(const SolvePlan& plan) { return why_not(MechanismId::edge_currents, plan); }
+Reason no_edges(const SolvePlan& plan) { return why_not("edges", plan); }
 
 // A key that forbids what would not happen anyway has its effect.
-Reason why_between(const SolvePlan& plan) {
-  return plan.edges.interaction.possible() ? why_not(MechanismId::interaction, plan) : "";
-}
+Reason why_between(const SolvePlan& plan) { return plan.edges.interaction.possible() ? why_not("interaction", plan) : ""; }
 
 Reason why_budget(const SolvePlan& plan) {
   if (plan.edges.interaction.possible() && plan.edges.interaction_budget == 0.0) return {};
-  return why_not(MechanismId::interaction, plan);
+  return why_not("interaction", plan);
 }
 
 Reason why_receiver_shadow(const SolvePlan& plan) {

@@ -54,12 +54,9 @@ Json counts_json(const Statistics& statistics) {
   }
   json["sliver_area_m2"] = statistics.sliver_area;
   json["wedges"] = statistics.wedges;
-  json["wedges_lit"] = statistics.wedges_lit;
-  json["surface_strips"] = statistics.surface_strips;
-  json["edge_illumination_pieces"] = statistics.illuminating_pieces;
+  for (const Count& count : statistics.counts) json[count.what] = count.count;
   json["thin_plate_edges"] = {{"lowest_frequency", statistics.thin_plate_edges_lowest},
                               {"highest_frequency", statistics.thin_plate_edges_highest}};
-  json["windowed_rows"] = statistics.windowed_rows;
   if (statistics.ray_range > 0.0) json["utd_range_m"] = statistics.ray_range;
   json["beyond_bound"] = Json::array();
   for (const BeyondBound& part : statistics.beyond_bound)

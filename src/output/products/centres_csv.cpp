@@ -20,7 +20,7 @@ namespace {
 constexpr int all_digits = 17;  // so that rows add up
 
 // In a line.
-std::string head(const CentreLook& look, std::string title) {
+std::string head(const CentreLook& look, const std::vector<std::string>& mechanisms, std::string title) {
   std::ranges::replace_if(
       title, [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
   std::string text = fmt::format(
@@ -35,7 +35,7 @@ std::string head(const CentreLook& look, std::string title) {
       number_text(look.frequency), look.side);
   if (!title.empty()) text += fmt::format("# title: {}\n", title);
   text += "centre,x_m,y_m,z_m,range_m" + amplitude_columns() + ",mechanism";
-  for (const char* mechanism : scattering_mechanisms) text += fmt::format(",share_{}", mechanism);
+  for (const std::string& mechanism : mechanisms) text += fmt::format(",share_{}", mechanism);
   return text + ",persistence_ghz,persistence_azimuth_deg,persistence_elevation_deg,triangle,part\n";
 }
 
@@ -47,11 +47,11 @@ std::string csv_cell(const std::string& text) {
   return quoted + '"';
 }
 
-std::string centre_text(std::size_t number, const ScatteringCentre& centre, const CentreLook& look,
+std::string centre_text(std::size_t number, const ScatteringCentre& centre, const std::string& mechanism, const CentreLook& look,
                         const PartOfTriangle& part_of) {
   std::string text = fmt::format("{},{:.9g},{:.9g},{:.9g},{:.9g}", number, centre.place.x, centre.place.y, centre.place.z,
                                  0.0 - glm::dot(centre.place, spherical_basis(look.direction).radial));
-  text += amplitudes_text(centre.s, all_digits) + ',' + scattering_mechanisms[centre.mechanism()];
+  text += amplitudes_text(centre.s, all_digits) + ',' + mechanism;
   for (const double share : centre.shares) text += fmt::format(",{:.4f}", share);
   text += fmt::format(",{:.5g},{:.4g},{:.4g}", centre.band * look.frequency * 1e-9, centre.azimuth / degree,
                       centre.elevation / degree);
@@ -77,14 +77,15 @@ std::array<int, 3> color_of(double share) {
 void write_centres_csv(const std::filesystem::path& file, const ScatteringCentres& found, const CentreLook& look,
                        const PartOfTriangle& part_of, const std::string& title) {
   OutputFile out(file);
-  out.write(head(look, title));
-  for (std::size_t i = 0; i < found.centres.size(); ++i) out.write(centre_text(i + 1, found.centres[i], look, part_of));
-  out.write("rest,,,," + amplitudes_text(found.rest, all_digits) + std::string(scattering_mechanisms.size() + 6, ',') + '\n');
+  out.write(head(look, found.mechanisms, title));
+  for (std::size_t i = 0; i < found.centres.size(); ++i)
+    out.write(centre_text(i + 1, found.centres[i], found.mechanism_of(found.centres[i]), look, part_of));
+  out.write("rest,,,," + amplitudes_text(found.rest, all_digits) + std::string(found.mechanisms.size() + 6, ',') + '\n');
   out.commit();
 }
 
-void write_by_part_csv(const std::filesystem::path& file, const std::vector<ScatteringPiece>& pieces, const CentreLook& look,
-                       const PartOfTriangle& part_of) {
+void write_by_part_csv(const std::filesystem::path& file, const std::vector<ScatteringPiece>& pieces,
+                       const std::vector<std::string>& mechanisms, const CentreLook& look, const PartOfTriangle& part_of) {
   std::map<std::string, ScatteringMatrix> by_part, by_mechanism;
   ScatteringMatrix all;
   for (const ScatteringPiece& piece : pieces) {
@@ -92,7 +93,7 @@ void write_by_part_csv(const std::filesystem::path& file, const std::vector<Scat
     if (piece.triangle)
       by_part[part_of(*piece.triangle)] += piece.s;
     else
-      by_mechanism[name_of(piece.mechanism)] += piece.s;
+      by_mechanism[mechanisms[piece.mechanism]] += piece.s;
   }
   std::vector<std::pair<std::string, ScatteringMatrix>> rows(by_part.begin(), by_part.end());
   std::ranges::stable_sort(rows, std::ranges::greater{}, [](const auto& row) { return frobenius_norm(row.second); });

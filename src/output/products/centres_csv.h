@@ -26,9 +26,9 @@ void write_centres_csv(const std::filesystem::path& file, const ScatteringCentre
                        const PartOfTriangle& part_of, const std::string& title = "");
 
 /// by_part.csv: S of a look by the parts that currents are on, the strongest first, then of edges, interaction and waves by
-/// mechanism, then of all together.
-void write_by_part_csv(const std::filesystem::path& file, const std::vector<ScatteringPiece>& pieces, const CentreLook& look,
-                       const PartOfTriangle& part_of);
+/// mechanism (ScatteringCentres::mechanisms), then of all together.
+void write_by_part_csv(const std::filesystem::path& file, const std::vector<ScatteringPiece>& pieces,
+                       const std::vector<std::string>& mechanisms, const CentreLook& look, const PartOfTriangle& part_of);
 
 /// centres.ply: points in the mesh's coordinates [m] with the larger co-polar sigma [dBsm], coloured by it over 40 dB.
 void write_centres_ply(const std::filesystem::path& file, const ScatteringCentres& found);

@@ -48,10 +48,10 @@ void write_persistence(NewNetcdf& out, const Centres& centres, const CentreLook&
              [](const ScatteringCentre& c) { return c.elevation / degree; });
 }
 
-void write_shares(NewNetcdf& out, const Centres& centres) {
-  out.labels("mechanism", {scattering_mechanisms.begin(), scattering_mechanisms.end()}, "mechanism");
+void write_shares(NewNetcdf& out, const ScatteringCentres& found) {
+  out.labels("mechanism", found.mechanisms, "mechanism");
   std::vector<double> shares;
-  for (const ScatteringCentre& centre : centres) std::ranges::copy(centre.shares, std::back_inserter(shares));
+  for (const ScatteringCentre& centre : found.centres) std::ranges::copy(centre.shares, std::back_inserter(shares));
   out.put(out.variable("share", {"centre", "mechanism"}, "1", "share of the power of the pieces within the cube"), shares);
 }
 
@@ -80,7 +80,7 @@ void write_centres_netcdf(const std::filesystem::path& file, const StoredResult&
   for (const auto& [name, which] : {std::pair{"rest_re", ComplexPart::real}, std::pair{"rest_im", ComplexPart::imaginary}})
     out.put(out.variable(name, {"receive", "transmit"}, "m", "what the centres lack of S of the look"),
             components({found.rest}, which));
-  write_shares(out, found.centres);
+  write_shares(out, found);
   write_persistence(out, found.centres, look);
   write_triangles(out, found.centres, part_of);
   write_outline(out, outline);

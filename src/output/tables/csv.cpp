@@ -9,6 +9,7 @@
 
 #include "core/decimal.h"
 #include "output/files/files.h"
+#include "scene/mechanisms.h"
 
 namespace raytube {
 
@@ -219,7 +220,7 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   const std::size_t bounces = std::max<std::size_t>(result.bounces.size(), 1);  // the columns stay where nothing was hit
   std::string header = conventions(result) + antenna_note(sweep.looks.front().far()) + key_columns;
   for (std::size_t m = 0; m < bounces; ++m) header += complex_columns('_' + bounce_name(m));
-  for (const Part part : all_parts) header += complex_columns(std::string("_") + name_of(part));
+  for (const MechanismRows& mechanism : result.mechanisms) header += complex_columns('_' + mechanism.name);
   for (const ModelPart& part : result.model_parts)
     for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
   out.write(header + '\n');
@@ -227,7 +228,7 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
     std::string line = key_text(frequency, look);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
-    for (const Part part : all_parts) line += complex_values(result.parts[part][row]);
+    for (const MechanismRows& mechanism : result.mechanisms) line += complex_values(mechanism.rows[row]);
     for (const ModelPart& part : result.model_parts) line += error_values(part.rows[row]);
     out.write(line + '\n');
   });

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/tables/csv.h"
+#include "scene/mechanisms.h"
 
 namespace raytube {
 
@@ -18,7 +19,7 @@ namespace {
 std::vector<StoredPart> stored_parts(const SweepResult& result) {
   std::vector<StoredPart> kept;
   for (const auto& rows : result.bounces) kept.push_back({bounce_name(kept.size()), rows});
-  for (const Part part : all_parts) kept.push_back({name_of(part), result.parts[part]});
+  for (const MechanismRows& mechanism : result.mechanisms) kept.push_back({mechanism.name, mechanism.rows});
   return kept;
 }
 
@@ -135,7 +136,7 @@ StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::st
   }
   stored.error_m = result.error;
   stored.model_m = result.model;
-  if (!result.parts[Part::edges_first].empty()) stored.parts = stored_parts(result);
+  if (!result.mechanisms.empty()) stored.parts = stored_parts(result);
   for (const ModelPart& part : result.model_parts)
     if (!part.rows.empty()) stored.model_parts.push_back({part.name, part.rows});
   stored.incoherent_m2 = result.incoherent;
@@ -144,7 +145,7 @@ StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::st
 }
 
 double stored_bytes_per_row(bool parts, int bounces) {
-  constexpr double levels = 5.0, mechanisms_beside_bounces = all_parts.size(), model_parts = 16.0, buffers = 1.0;
+  constexpr double levels = 5.0, mechanisms_beside_bounces = 4.0, model_parts = 16.0, buffers = 1.0;
   const double kept = sizeof(ScatteringMatrix) + (levels + buffers) * sizeof(ChannelErrors);
   constexpr double copies = 2.0;  // a file is made in memory first
   if (!parts) return copies * kept;

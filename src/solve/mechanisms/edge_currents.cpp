@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "uncertainty/omissions.h"
 #include "utd/corner/corner_waves.h"
 
 namespace raytube {
@@ -11,36 +12,30 @@ namespace {
 
 constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
 
-void put(EdgeLookResult found, LookSums& sums) {
-  sums.s[Part::edges_first] = std::move(found.scattering);
-  sums.s[Part::edges_higher] = std::move(found.higher);
-  sums.windowed = std::move(found.windowed);
-  sums.wedges_lit = found.wedges_lit;
-  sums.edges_lit = found.lit;
+Contribution contribution_of(EdgeLookResult found) {
+  Contribution result{.work = found.work};
+  const bool radiates = !found.scattering.empty();
+  result.s = {std::move(found.scattering), std::move(found.higher)};
+  const auto windowed = static_cast<std::uint64_t>(std::ranges::count(found.windowed, true));
+  result.counts = {{.what = "wedges_lit", .count = found.wedges_lit, .fold = Fold::most},
+                   {.what = "windowed_rows", .count = windowed},
+                   {"looks without edge currents", radiates ? "no edge is lit" : "no edge of the target can radiate",
+                    found.lit ? 0u : 1u, Fold::least}};
+  return result;
 }
 
 class EdgeCurrentsOfLook : public Mechanism {
  public:
   explicit EdgeCurrentsOfLook(const BandScene& scene) : scene_(scene) {}
 
-  Prospect prospect(const TracedLook&, const LookSums&) const override { return {}; }
+  Prospect prospect(const TracedLook&) const override { return {}; }
 
-  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+  Contribution solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+    if (!scene_.edges.radiate() && scene_.plan.tubes.skip) return contribution_of({});
     const Look& look = traced.look;
-    const WavesAtEdges waves{sink.arrivals, sink.sums.run(MechanismId::surface_waves).ran};
-    EdgeLookResult found = scene_.edges.scattering(look, scene_.plan.sweep.radar, waves);
-    sink.sums.run(MechanismId::edge_currents).work = found.work;
-    put(std::move(found), sink.sums);
-    if (sink.image == nullptr) return;
-    const PieceRequest request{sink.image->frequency_index, sink.image->lattice, sink.image->by_path};
-    std::vector<ImageEdge>& pieces = sink.image->pieces;
-    std::vector<ImageEdge> edges = scene_.edges.pieces(look, scene_.plan.sweep.radar, request, waves);
-    if (pieces.empty())
-      pieces = std::move(edges);  // there may be many
-    else
-      std::ranges::copy(edges, std::back_inserter(pieces));
-    std::ranges::copy(scene_.edges.arrival_pieces(look, scene_.plan.sweep.radar, request, sink.arrivals),
-                      std::back_inserter(pieces));
+    const WavesAtEdges waves{sink.arrivals, sink.waves_run};
+    if (sink.image) add_pieces(look, waves, *sink.image);
+    return contribution_of(scene_.edges.scattering(look, scene_.plan.sweep.radar, waves));
   }
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
@@ -49,6 +44,13 @@ class EdgeCurrentsOfLook : public Mechanism {
   }
 
  private:
+  void add_pieces(const Look& look, const WavesAtEdges& waves, ImageRequest& image) const {
+    const PieceRequest request{image.frequency_index, image.lattice, image.by_path};
+    std::ranges::move(scene_.edges.pieces(look, scene_.plan.sweep.radar, request, waves), std::back_inserter(image.pieces));
+    std::ranges::move(scene_.edges.arrival_pieces(look, scene_.plan.sweep.radar, request, waves.arrivals),
+                      std::back_inserter(image.pieces));
+  }
+
   const BandScene& scene_;
 };
 
@@ -56,8 +58,11 @@ class EdgeCurrentsOfLook : public Mechanism {
 
 // Without any that radiate the pass is made where nothing is to be skipped.
 std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene) {
-  if (!scene.plan.fringe() || (!scene.edges.radiate() && scene.plan.tubes.skip)) return nullptr;
-  return std::make_unique<EdgeCurrentsOfLook>(scene);
+  return scene.plan.fringe() ? std::make_unique<EdgeCurrentsOfLook>(scene) : nullptr;
+}
+
+void tell_edge_currents(const SolvePlan&, const Contribution& edges, std::size_t frequency, RowEvidence& row) {
+  row.edges = edges.at(0, frequency), row.higher = edges.at(1, frequency);
 }
 
 // Sets of wedges beside the mesh's own, and the solved corners of plates.

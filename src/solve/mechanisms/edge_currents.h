@@ -11,5 +11,6 @@ namespace raytube {
 
 std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene);
 double edge_currents_bytes(const SolvePlan& plan);
+void tell_edge_currents(const SolvePlan& plan, const Contribution& edges, std::size_t frequency, RowEvidence& row);
 
 }  // namespace raytube

@@ -9,6 +9,7 @@
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
 #include "scene/frequency_bands.h"
+#include "uncertainty/omissions.h"
 #include "utd/fringe/near_pieces.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
@@ -32,7 +33,7 @@ void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
   }
 }
 
-// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (core/work.h).
+// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (utd/work.h).
 constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
 
 // S of a body that scatters all round what its surface intercepts on average over all directions, a quarter of its area if it is
@@ -53,47 +54,54 @@ class Interaction : public Mechanism {
     for (std::size_t f = 0; f < reach.size(); ++f) frequencies_[f] = frequencies_[f] && reach[f] >= least_reach;
   }
 
-  Prospect prospect(const TracedLook&, const LookSums&) const override {
+  Prospect prospect(const TracedLook&) const override {
     if (scene_.plan.edges.interaction.forced()) return {};
     return {.reach = reach_};
   }
 
-  void solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+  Contribution solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
     const std::optional<AntennaPair> pair = near_pair(traced.look);
-    if (!pair) return solve(traced, nullptr, sink);
+    if (!pair) return solve(traced.look, nullptr, sink);
     const NearAntennas antennas = near_antennas(*pair);
-    solve(traced, &antennas, sink);
+    return solve(traced.look, &antennas, sink);
   }
 
  private:
-  void solve(const TracedLook& traced, const NearAntennas* antennas, LookSink& sink) const {
-    const Look& look = traced.look;
+  Contribution solve(const Look& look, const NearAntennas* antennas, LookSink& sink) const {
     InteractionLimits limits = limits_;
     limits.antennas = antennas;
     InteractionResult found = scene_.edges.interaction(look, limits);
     const bool refer = !look.far() && antennas == nullptr;
     if (refer) refer_to_antennas(look, found);
-    put(std::move(found), sink.sums);
-    sink.sums.run(MechanismId::interaction).ran = frequencies_;
-    if (sink.image == nullptr) return;
-    const std::size_t f = sink.image->frequency_index;
-    for (ImageEdge& piece : scene_.edges.interaction_pieces(look, f, limits, sink.image->by_path)) {
+    if (sink.image) add_pieces(look, limits, refer, *sink.image);
+    return contribution_of(std::move(found));
+  }
+
+  void add_pieces(const Look& look, const InteractionLimits& limits, bool refer, ImageRequest& image) const {
+    const std::size_t f = image.frequency_index;
+    for (ImageEdge& piece : scene_.edges.interaction_pieces(look, f, limits, image.by_path)) {
       if (refer) piece.s *= factor_of_antennas(look, f);
-      add_cut_up(piece, *sink.image);
+      add_cut_up(piece, image);
     }
   }
 
-  static void put(InteractionResult found, LookSums& sums) {
-    sums.run(MechanismId::interaction).work = found.work;
-    sums.s[Part::interaction] = std::move(found.scattering);
-    sums.error = std::move(found.error);
-    sums.left_out = std::move(found.left_out);
-    sums.illuminating_pieces = found.illuminating_pieces;
-    sums.interaction_pairs = found.pairs;
-    sums.skipped.weak_pairs = found.skipped.weak_pairs;
-    sums.skipped.pairs_beyond_budget = found.skipped.pairs;
-    sums.skipped.reflections_beyond_budget = found.skipped.reflected_pairs;
-    sums.skipped.fringe_beyond_budget = found.skipped.fringe_pieces;
+  Contribution contribution_of(InteractionResult found) const {
+    constexpr const char* pairs = "pairs of edge and face";
+    const InteractionSkips& skipped = found.skipped;
+    const bool is_dark = found.scattering.empty();
+    return {
+        .s = {std::move(found.scattering)},
+        .error = std::move(found.error),
+        .missing = std::move(found.left_out),
+        .ran = frequencies_,
+        .work = found.work,
+        .counts = {{.what = "edge_illumination_pieces", .count = found.illuminating_pieces},
+                   {.what = "interaction_pairs", .count = found.pairs},
+                   {pairs, "too weak to matter", skipped.weak_pairs},
+                   {pairs, beyond_budget, skipped.pairs},
+                   {"pairs of edge and mirror", beyond_budget, skipped.reflected_pairs},
+                   {"edges lit after a reflection, without fringe currents", beyond_budget, skipped.fringe_pieces},
+                   {"looks without edge-face interaction", "no lit edge faces another surface", is_dark ? 1u : 0u, Fold::least}}};
   }
 
   // Antennas near enough for their waves not to be plane all over the target.
@@ -133,6 +141,19 @@ std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
   std::vector<bool> frequencies = scene.edges.interacting();
   if (std::ranges::find(frequencies, true) == frequencies.end()) return nullptr;
   return std::make_unique<Interaction>(scene, std::move(frequencies));
+}
+
+// Sheets end the waves of edges, and a budget that affords no pair is none.
+void tell_interaction(const SolvePlan& plan, const Contribution& interaction, std::size_t frequency, RowEvidence& row) {
+  row.interaction = interaction.at(0, frequency);
+  if (!interaction.missing.empty()) row.left_out = interaction.missing[frequency];
+  const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
+  const bool some_left_out = interaction.out_of_reach() || std::ranges::any_of(interaction.counts, [](const Count& each) {
+                               return each.why == beyond_budget && each.count > 0;
+                             });
+  const bool any = !interaction.s.empty() && !interaction.s.front().empty();
+  const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;
+  row.has_interaction = interaction.ran_at(frequency) && any && !none_afforded && !sheets;
 }
 
 // The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.

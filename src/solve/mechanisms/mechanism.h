@@ -1,16 +1,17 @@
-// The contract of mechanisms: what every piece of physics that adds to S beside the tubes answers. Who runs them (the scheduler
-// of a look), who tells of them (check, run.json, skipped), images and pictures of rays ask this and nothing else.
-//   state.h       of a plan: whether it takes part, and why not
-//   mechanism.h   of a look: what it may add and whether its budget reaches far enough; then its sum at all frequencies
-//   look_sums.h   what it adds, counts, and leaves out
-//   list.h        all of them: a new mechanism is one line there
+// The contract of mechanisms for running: what every piece of physics that adds to S beside the tubes answers in a look. First
+// what it may add, and whether its budget reaches far enough; then its sum at all frequencies. How each is told of is in
+// plan/mechanism.h, and all of them are in list.cpp.
 #pragma once
 
 #include <vector>
 
+#include "plan/mechanism.h"
 #include "sbr/beams/tube_sums.h"
+#include "scene/contribution.h"
+#include "scene/image.h"
+#include "scene/surface_rays.h"
 #include "scene/sweep.h"
-#include "solve/mechanisms/look_sums.h"
+#include "utd/surface/surface_arrival.h"
 
 namespace raytube {
 
@@ -20,15 +21,31 @@ struct TracedLook {
   const TubeSums& tubes;  // done; at all frequencies of the band
 };
 
-/// Of the squares expected of a mechanism: one whose budget reaches less is not begun. A part of a sum whose terms are out of
-/// phase is no better than none.
+/// Least share of the squares expected of a mechanism that its budget must reach for it to begin: a part of a sum whose terms are
+/// out of phase is no better than none.
 inline constexpr double least_reach = 0.5;
 
 /// What is known of a mechanism in a look before it begins.
 struct Prospect {
   std::vector<double> amplitude{};  // [frequency] what it may add to |S_pp|, an estimate [m]; empty: it runs in any case
-  double tolerances = 1.0;          // of a row, that this must be for the mechanism to run
+  double tolerances = 1.0;          // tolerances of a row that this must reach for the mechanism to run
   double reach = 1.0;               // share of the squares expected of it that its budget allows
+};
+
+/// Where the pieces of an image go.
+struct ImageRequest {
+  std::size_t frequency_index;  // among those of the look
+  const ImageLattice& lattice;  // in recentred coordinates
+  bool by_path = false;         // pieces stand where their paths have their place (scene/scattering_piece.h); of one frequency
+  std::vector<ImageEdge> pieces{};
+  std::vector<std::size_t> mechanisms{};  // of the pieces, in the order of the plan
+};
+
+/// What mechanisms leave to those behind them, and where pieces of an image go.
+struct LookSink {
+  std::vector<SurfaceArrival> arrivals{};  // waves over curved surfaces at wedges, which edge currents carry on
+  std::vector<bool> waves_run{};           // [frequency] at which these run; empty: at none
+  ImageRequest* image = nullptr;           // null: none is asked for
 };
 
 /// One mechanism at the frequencies of one band. Thread-safe.
@@ -36,11 +53,12 @@ class Mechanism {
  public:
   virtual ~Mechanism() = default;
 
-  /// Cheap beside the tubes. `others` is what the mechanisms before it have added.
-  virtual Prospect prospect(const TracedLook& look, const LookSums& others) const = 0;
+  /// Cheap beside the tubes.
+  virtual Prospect prospect(const TracedLook& look) const = 0;
 
-  /// Adds what it gives to the sink, at the frequencies that are `wanted`; also the pieces of an image, if one is asked for.
-  virtual void solve(const TracedLook& look, const std::vector<bool>& wanted, LookSink& sink) const = 0;
+  /// What it adds at the frequencies that are `wanted`; it may clear further flags of `ran`, which are these. Also adds the
+  /// pieces of an image, if one is asked for.
+  virtual Contribution solve(const TracedLook& look, const std::vector<bool>& wanted, LookSink& sink) const = 0;
 
   /// Appends its rays over curved surfaces, for pictures; `arrivals` as of LookSink.
   virtual void trace(const Look&, std::vector<SurfaceArrival>& /*arrivals*/, std::vector<SurfaceRay>& /*rays*/) const {}

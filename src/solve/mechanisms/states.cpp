@@ -6,7 +6,6 @@
 
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
-#include "scene/skipped.h"
 #include "utd/fock/face_impedances.h"
 #include "utd/interaction/interaction_groups.h"
 
@@ -54,7 +53,7 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
 }
 
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
-  return wave_facets(plan, band) > 0 && surface_waves_state(plan).on;
+  return plan.state("surface_waves").on && wave_facets(plan, band) > 0;
 }
 
 bool waves_run_over_all_materials(const SolvePlan& plan) {
@@ -106,7 +105,7 @@ MechanismState interaction_state(const SolvePlan& plan) {
 }
 
 bool interacts(const SolvePlan& plan, const BandPlan& band) {
-  return !band.convexity.no_reflection && interaction_state(plan).on;
+  return !band.convexity.no_reflection && plan.state("interaction").on;
 }
 
 }  // namespace raytube

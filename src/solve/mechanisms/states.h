@@ -2,7 +2,6 @@
 #pragma once
 
 #include "plan/plan.h"
-#include "solve/mechanisms/state.h"
 
 namespace raytube {
 

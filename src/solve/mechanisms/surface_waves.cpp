@@ -7,6 +7,7 @@
 
 #include "scene/frequency_bands.h"
 #include "solve/mechanisms/states.h"
+#include "uncertainty/omissions.h"
 #include "uncertainty/surface_wave_prospect.h"
 #include "utd/rounded/rims.h"
 #include "utd/surface/surface_waves.h"
@@ -64,7 +65,7 @@ class WavesOverSurfaces : public Mechanism {
 
   // Forward of grazing the estimate has lobes of its own: looks whose antennas stand apart take waves in any case. Close together
   // they take what either would by itself.
-  Prospect prospect(const TracedLook& traced, const LookSums& /*others*/) const override {
+  Prospect prospect(const TracedLook& traced) const override {
     if (!prospect_ || !close_together(traced.look)) return {};
     Prospect result{.tolerances = tolerances()};
     std::map<long, double> known;
@@ -76,7 +77,7 @@ class WavesOverSurfaces : public Mechanism {
     return result;
   }
 
-  void solve(const TracedLook& traced, const std::vector<bool>& wanted, LookSink& sink) const override {
+  Contribution solve(const TracedLook& traced, const std::vector<bool>& wanted, LookSink& sink) const override {
     std::vector<std::size_t> indices;
     std::vector<double> frequencies;
     for (std::size_t f = 0; f < wanted.size(); ++f)
@@ -98,13 +99,14 @@ class WavesOverSurfaces : public Mechanism {
     }
     add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
-    sink.sums.surface_strips = found.strips;
-    sink.sums.run(MechanismId::surface_waves).work = found.work;
-    sink.sums.s[Part::surface_waves] = spread(found.scattering, indices);
     for (SurfaceArrival& arrival : found.arrivals) {
       arrival.magnetic = spread(arrival.magnetic, indices);
       sink.arrivals.push_back(std::move(arrival));
     }
+    sink.waves_run = wanted;
+    return {.s = {spread(found.scattering, indices)},
+            .work = found.work,
+            .counts = {{.what = "surface_strips", .count = found.strips}}};
   }
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
@@ -179,6 +181,11 @@ class WavesOverSurfaces : public Mechanism {
 
 std::unique_ptr<Mechanism> make_surface_waves(const BandScene& scene) {
   return scene.curved ? std::make_unique<WavesOverSurfaces>(scene) : nullptr;
+}
+
+void tell_surface_waves(const SolvePlan& plan, const Contribution& waves, std::size_t frequency, RowEvidence& row) {
+  row.surface_waves = waves.at(0, frequency);
+  row.has_surface_waves = waves.ran_at(frequency) && waves_run_over_all_materials(plan);
 }
 
 // Which triangles meet at an edge, and the curvatures at corners.

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "core/work.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/work.h"
+#include "utd/work.h"
 
 namespace raytube {
 

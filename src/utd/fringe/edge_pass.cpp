@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/work.h"
 #include "scene/frequency_bands.h"
+#include "utd/work.h"
 
 namespace raytube {
 

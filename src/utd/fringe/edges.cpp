@@ -3,8 +3,8 @@
 #include <cassert>
 
 #include "core/threads.h"
-#include "core/work.h"
 #include "utd/fringe/corner_pass.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/work.h"
 #include "utd/shadow/edge_phase.h"
+#include "utd/work.h"
 
 namespace raytube {
 

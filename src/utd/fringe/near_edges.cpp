@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "core/work.h"
 #include "scene/frequency_bands.h"
 #include "utd/fringe/corner_pass.h"
 #include "utd/fringe/near_pieces.h"
+#include "utd/work.h"
 
 namespace raytube {
 

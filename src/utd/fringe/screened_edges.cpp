@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
-#include "core/work.h"
 #include "utd/fringe/corner_pass.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/work.h"
 #include "scene/frequency_bands.h"
 #include "utd/fringe/near_pieces.h"
 #include "utd/fringe/reflected_edges.h"
@@ -17,6 +16,7 @@
 #include "utd/interaction/penumbra_fringe.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -58,7 +58,7 @@ struct InteractionResult {
   std::vector<double> left_out;
   InteractionSkips skipped{};
   std::uint64_t pairs = 0;  // of an edge and a face, computed; counted where work is limited
-  double work = 0.0;        // counted (core/work.h)
+  double work = 0.0;        // counted (utd/work.h)
 };
 
 /// A target as diffracted waves meet it.
@@ -76,7 +76,7 @@ struct InteractionOptions {
   int order = 3;  // of the fringe currents
   TransitionTier transition = TransitionTier::exact;
   double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
-  double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (core/work.h)
+  double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (utd/work.h)
   const NearAntennas* antennas = nullptr;                 // at a finite distance, where S is as of these; none: plane waves
 };
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/work.h"
 #include "scene/frequency_bands.h"
+#include "utd/work.h"
 
 namespace raytube {
 

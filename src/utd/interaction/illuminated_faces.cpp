@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/work.h"
 #include "math/node_waves.h"
 #include "scene/frequency_bands.h"
 #include "utd/interaction/azimuth_cuts.h"
 #include "utd/interaction/near_illumination.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/threads.h"
-#include "core/work.h"
 #include "utd/interaction/pair_reach.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "core/reversed.h"
-#include "core/work.h"
 #include "math/erfc_ray.h"
 #include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/wedge/detour.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "core/work.h"
 #include "utd/interaction/pair_reach.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "core/work.h"
 #include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/wedge/diffracted_field.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "core/work.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/pair_reach.h"
 #include "utd/wedge/incidence.h"
+#include "utd/work.h"
 
 namespace raytube {
 

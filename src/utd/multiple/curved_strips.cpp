@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/work.h"
 #include "utd/multiple/strip_walk.h"
+#include "utd/work.h"
 
 namespace raytube {
 

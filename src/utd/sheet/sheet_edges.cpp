@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/work.h"
 #include "scene/frequency_bands.h"
 #include "utd/shadow/edge_phase.h"
+#include "utd/work.h"
 
 namespace raytube {
 

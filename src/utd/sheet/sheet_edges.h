@@ -15,7 +15,7 @@ class SheetEdges {
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit,
            std::span<ScatteringMatrix> first, std::span<ScatteringMatrix> higher);
 
-  /// Counted (core/work.h).
+  /// Counted (utd/work.h).
   double work() const;
 
  private:

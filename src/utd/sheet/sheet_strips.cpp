@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/work.h"
+#include "utd/work.h"
 
 namespace raytube {
 

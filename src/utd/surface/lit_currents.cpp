@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/work.h"
 #include "math/triangle_moments.h"
 #include "scene/frequency_bands.h"
 #include "utd/surface/lit_frame.h"
+#include "utd/work.h"
 
 namespace raytube {
 

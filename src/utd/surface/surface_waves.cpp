@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "core/work.h"
 #include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/fock/fock.h"
@@ -17,6 +16,7 @@
 #include "utd/surface/shadow_boundary.h"
 #include "utd/surface/strip_width.h"
 #include "utd/surface/surface_ray.h"
+#include "utd/work.h"
 
 namespace raytube {
 

@@ -280,7 +280,7 @@ TEST(Isar, AzimuthAndElevationShowSpace) {
   EXPECT_LT(glm::length(place - dvec3(0.3, 0.2, -0.3)), 0.03);
 }
 
-ScatteringPiece piece_at(const dvec3& place, double amplitude, ScatteringMechanism mechanism) {
+ScatteringPiece piece_at(const dvec3& place, double amplitude, std::size_t mechanism) {
   ScatteringMatrix s;
   s.at(0, 0) = s.at(1, 1) = amplitude;
   return {place, s, mechanism, 7};
@@ -289,17 +289,16 @@ ScatteringPiece piece_at(const dvec3& place, double amplitude, ScatteringMechani
 // Three points of one piece each, two of them two sides apart: places to a hundredth of a side, amplitudes exactly, as the fit
 // knows how they see one another. A point persists over all that is resolved.
 TEST(ScatteringCentres, PointsAreFound) {
-  const std::vector<ScatteringPiece> pieces{piece_at({0.3, 0.0, 0.1}, 1.0, ScatteringMechanism::first_bounce),
-                                            piece_at({0.3, 0.32, 0.1}, 0.5, ScatteringMechanism::edges),
-                                            piece_at({-0.41, -0.3, -0.2}, 0.1, ScatteringMechanism::later_bounces)};
+  const std::vector<ScatteringPiece> pieces{piece_at({0.3, 0.0, 0.1}, 1.0, 0), piece_at({0.3, 0.32, 0.1}, 0.5, 3),
+                                            piece_at({-0.41, -0.3, -0.2}, 0.1, 2)};
   constexpr double side = 0.1, length = 0.03;
   const ScatteringCentres found =
-      scattering_centres(pieces, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {3, side, length});
+      scattering_centres(pieces, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {3, side, length, {"a", "b", "c", "d"}});
   ASSERT_EQ(found.centres.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_LT(glm::length(found.centres[i].place - pieces[i].place), 0.05 * side);
     EXPECT_NEAR(std::abs(found.centres[i].s.vv()) / std::abs(pieces[i].s.vv()), 1.0, 0.02);
-    EXPECT_EQ(found.centres[i].mechanism(), static_cast<std::size_t>(pieces[i].mechanism));
+    EXPECT_EQ(found.centres[i].mechanism(), pieces[i].mechanism);
     EXPECT_EQ(found.centres[i].triangle, 7u);
     EXPECT_NEAR(found.centres[i].band, 0.5 * length / side, 0.02 * length / side);
   }
@@ -309,8 +308,9 @@ TEST(ScatteringCentres, PointsAreFound) {
 // A strip of a side's length, whose phase does not turn, seen from aside: it persists over less than a point does.
 TEST(ScatteringCentres, WhatIsWideFlashes) {
   std::vector<ScatteringPiece> pieces;
-  for (int i = -40; i <= 40; ++i) pieces.push_back(piece_at({0.0, 0.0025 * i, 0.0}, 0.01, ScatteringMechanism::first_bounce));
-  const ScatteringCentres found = scattering_centres(pieces, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {5, 0.1, 0.03});
+  for (int i = -40; i <= 40; ++i) pieces.push_back(piece_at({0.0, 0.0025 * i, 0.0}, 0.01, 0));
+  const ScatteringCentres found =
+      scattering_centres(pieces, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {5, 0.1, 0.03, {"a"}});
   EXPECT_LT(found.centres.front().azimuth, 0.8 * found.centres.front().elevation);
 }
 

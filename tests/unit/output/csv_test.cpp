@@ -1,9 +1,10 @@
 // Tables: columns, order, numbers.
+#include "output/tables/csv.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "output/tables/csv.h"
 #include "run.h"
 #include "scratch.h"
 
@@ -24,16 +25,20 @@ ScatteringMatrix matrix(double base) {
   return {{{{Complex{base, 0.25}, Complex{-0.0, 0.0}}, {Complex{0.0, -base}, Complex{-base, -0.0}}}}};
 }
 
+std::vector<MechanismRows> mechanisms(std::size_t rows) {
+  std::vector<MechanismRows> columns;
+  for (const char* name : {"edges_order_1", "edges_order_2_on", "interaction", "surface_waves"})
+    columns.push_back({name, std::vector<ScatteringMatrix>(rows)});
+  return columns;
+}
+
 SweepResult small_result(const Sweep& sweep) {
   SweepResult result;
   for (std::size_t row = 0; row < sweep.rows(); ++row) result.total.push_back(matrix(static_cast<double>(row + 1)));
   result.error.assign(sweep.rows(), {{{0.01, 0.002}, {0.0, 0.5}}});
   result.model.assign(sweep.rows(), {{{0.5, 0.0}, {0.004, 0.02}}});
   result.bounces = {result.total, std::vector<ScatteringMatrix>(sweep.rows())};
-  result.parts[Part::edges_first].resize(sweep.rows());
-  result.parts[Part::edges_higher].resize(sweep.rows());
-  result.parts[Part::interaction].resize(sweep.rows());
-  result.parts[Part::surface_waves].resize(sweep.rows());
+  result.mechanisms = mechanisms(sweep.rows());
   return result;
 }
 
@@ -141,14 +146,12 @@ TEST(OutputCsv, PartsAddUpToTheTotal) {
   const Scratch scratch;
   const Sweep sweep = small_sweep(false);
   SweepResult result = small_result(sweep);
-  result.parts[Part::edges_first][3] = matrix(0.125);
-  result.parts[Part::edges_higher][3] = matrix(0.5);
-  result.parts[Part::interaction][2] = matrix(0.25);
-  result.parts[Part::surface_waves][3] = matrix(0.0625);
-  result.total[3] += result.parts[Part::edges_first][3];
-  result.total[3] += result.parts[Part::edges_higher][3];
-  result.total[3] += result.parts[Part::surface_waves][3];
-  result.total[2] += result.parts[Part::interaction][2];
+  result.mechanisms[0].rows[3] = matrix(0.125);
+  result.mechanisms[1].rows[3] = matrix(0.5);
+  result.mechanisms[2].rows[2] = matrix(0.25);
+  result.mechanisms[3].rows[3] = matrix(0.0625);
+  for (const std::size_t column : {0, 1, 3}) result.total[3] += result.mechanisms[column].rows[3];
+  result.total[2] += result.mechanisms[2].rows[2];
   write_parts_csv(scratch / "parts.csv", sweep, result);
   const Table table((scratch / "parts.csv").string());
   ASSERT_EQ(table.rows(), 4u);
@@ -181,10 +184,7 @@ TEST(OutputCsv, PartsStateTheConventionsAndKeepTheirColumnsWhereNothingIsHit) {
   nothing.total.resize(sweep.rows());
   nothing.error.resize(sweep.rows());
   nothing.model.resize(sweep.rows());
-  nothing.parts[Part::edges_first].resize(sweep.rows());
-  nothing.parts[Part::edges_higher].resize(sweep.rows());
-  nothing.parts[Part::interaction].resize(sweep.rows());
-  nothing.parts[Part::surface_waves].resize(sweep.rows());
+  nothing.mechanisms = mechanisms(sweep.rows());
   write_parts_csv(scratch / "parts.csv", sweep, nothing);
   write_rcs_csv(scratch / "rcs.csv", sweep, nothing);
   const std::string parts = text_of(scratch / "parts.csv"), rcs = text_of(scratch / "rcs.csv");

@@ -10,7 +10,7 @@ using ::testing::StartsWith;
 
 // What a solve of a small target has shown, with a budget of 4.
 struct Solve {
-  SkipCounts skips{};
+  std::uint64_t pairs_left_out = 0;
   TruncatedSums truncated{};
   std::uint64_t pairs = 0;
   double left_out = 1.0;
@@ -22,26 +22,26 @@ struct Solve {
   double curved_edges = 0.0;
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, materials, sheets, curved_edges, possible_pairs, skips, truncated,
-                                hits, pairs, left_out});
+    return remedy_of(omission, {edges, tubes, surfaces, truncated, hits, materials, sheets, curved_edges, possible_pairs,
+                                pairs_left_out, pairs, left_out});
   }
 };
 
 // All pairs at twice the budget: 9 parts of work in the place of 5.
 TEST(Remedies, ABudgetThatCanBeHadComesWithItsCost) {
-  Solve solve{{.pairs_beyond_budget = 100}, {}, 100};
+  Solve solve{100, {}, 100};
   EXPECT_EQ(solve.remedy(Omission::interaction), "edges.between_budget = 8, about 1.8 times the time");
 }
 
 TEST(Remedies, ABudgetThatCannotBeHadIsNotNamed) {
-  Solve solve{{.pairs_beyond_budget = 3'900'000'000}, {}, 5000};
+  Solve solve{3'900'000'000, {}, 5000};
   EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
   solve.pairs = 0;  // not even the first
   EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
 }
 
 TEST(Remedies, ABudgetIsNotNamedWhereItIsNotWhatIsMissing) {
-  Solve solve{{.pairs_beyond_budget = 100}, {}, 100, 0.1};
+  Solve solve{100, {}, 100, 0.1};
   EXPECT_THAT(solve.remedy(Omission::interaction), StartsWith("none; use a full-wave method"));
 }
 

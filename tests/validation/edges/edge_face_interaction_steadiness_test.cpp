@@ -143,7 +143,7 @@ TEST(EdgeFaceInteraction, ConvexTargetsAreLeftAlone) {
   for (const PolygonSoup& soup : {shapes::plate(3 * lambda), shapes::cube(2 * lambda), shapes::cylinder(lambda, 3 * lambda, 24),
                                   shapes::icosphere(2, 2 * lambda)}) {
     const SweepResult with = solve_soup(soup, sweep, adaptive(true)), without = solve_soup(soup, sweep, adaptive(false));
-    EXPECT_EQ(with.statistics.illuminating_pieces, 0u);
+    EXPECT_EQ(with.statistics.counted("edge_illumination_pieces"), 0u);
     EXPECT_GT(frobenius_norm(with.total[0]), 0.0);
     ASSERT_EQ(with.total.size(), without.total.size());
     EXPECT_EQ(std::memcmp(with.total.data(), without.total.data(), with.total.size() * sizeof with.total[0]), 0);
@@ -182,11 +182,11 @@ TEST(EdgeFaceInteraction, FacetsOfAPlaneFaceDoNotShow) {
   SolveOptions o = adaptive(true);
   o.tubes.tolerance_db = 1e-4;
   const SweepResult whole = solve_soup(shapes::dihedral(3 * lambda, 3 * lambda), sweep, o);
-  EXPECT_GT(whole.statistics.illuminating_pieces, 0u);
+  EXPECT_GT(whole.statistics.counted("edge_illumination_pieces"), 0u);
   for (const int count : {4, 12})
     for (const double shift : {0.0, 0.37}) {
       const SweepResult cut = solve_soup(cut_dihedral(3 * lambda, count, shift), sweep, o);
-      EXPECT_EQ(cut.statistics.illuminating_pieces, whole.statistics.illuminating_pieces);
+      EXPECT_EQ(cut.statistics.counted("edge_illumination_pieces"), whole.statistics.counted("edge_illumination_pieces"));
       double worst = 0.0;
       for (std::size_t i = 0; i < sweep.looks.size(); ++i)
         worst = std::max(worst, frobenius_norm(cut.total[i] - whole.total[i]) / lambda);
@@ -218,8 +218,8 @@ TEST(EdgeFaceInteraction, SmallFacesReceiveHoweverManyFacets) {
     const Sweep sweep{{frequency}, {{{theta, 2.8}, {0.6, -2.0}}}, true};
     SolveOptions o = adaptive(true);
     o.tubes.tolerance_db = 1e-2;
-    const ScatteringMatrix whole = solve_soup(plate_and_strip(1, 1), sweep, o).parts[Part::interaction].at(0);
-    const ScatteringMatrix cut = solve_soup(plate_and_strip(12, 18), sweep, o).parts[Part::interaction].at(0);
+    const ScatteringMatrix whole = solve_soup(plate_and_strip(1, 1), sweep, o).of("interaction").at(0);
+    const ScatteringMatrix cut = solve_soup(plate_and_strip(12, 18), sweep, o).of("interaction").at(0);
     measured("a strip of many facets", frobenius_norm(cut - whole) / frobenius_norm(whole), "of what it adds");
     EXPECT_LE(frobenius_norm(cut - whole), 5e-3 * frobenius_norm(whole));  // facets are integrated one by one
   }

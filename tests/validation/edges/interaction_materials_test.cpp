@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "interaction_bodies.h"
-#include "validation/material_scene.h"
 #include "mesh/load.h"
+#include "validation/material_scene.h"
 #include "validation/point_waves.h"
 
 namespace raytube {
@@ -27,7 +27,7 @@ struct Corner {
     options.keep_parts = true;
     Sweep sweep{{frequency}, looks, false};
     sweep.materials = materials;
-    return solve(Target(loaded.mesh), sweep, options).parts[Part::interaction];
+    return solve(Target(loaded.mesh), sweep, options).of("interaction");
   }
 };
 
@@ -45,8 +45,8 @@ double difference(const std::vector<ScatteringMatrix>& found, const std::vector<
   return apart / size;
 }
 
-// Behind a wall, and too small for waves of edges to count on it: a coated patch leaves the interaction of all others as it is, but
-// for where quadrature over azimuths begins anew (its corners): 1.5e-4.
+// Behind a wall, and too small for waves of edges to count on it: a coated patch leaves the interaction of all others as it is,
+// but for where quadrature over azimuths begins anew (its corners): 1.5e-4.
 TEST(InteractionMaterials, APatchElsewhereChangesNothing) {
   const Corner bare;
   Corner patched{{layered(MaterialKind::coated, {{{{4.0, -0.1}, 1.0}, 0.003}})}};
@@ -95,7 +95,7 @@ TEST(InteractionMaterials, EveryFrequencyHasItsOwnCoefficients) {
     const LoadedMesh loaded = build_mesh(soup, 1.0, "test", sweep.materials);
     SolveOptions options = adaptive(true);
     options.keep_parts = true;
-    return solve(Target(loaded.mesh), sweep, options).parts[Part::interaction];
+    return solve(Target(loaded.mesh), sweep, options).of("interaction");
   };
   const auto both = at({frequency, 1.1 * frequency}, {0, 1});
   EXPECT_LT(difference({both[0]}, at({frequency}, {0})), 1e-4);  // panels of quadrature differ

@@ -3,8 +3,8 @@
 
 #include "interaction_bodies.h"
 #include "plan/phase_reference.h"
-#include "validation/point_waves.h"
 #include "solve/mechanisms/band_scene.h"
+#include "validation/point_waves.h"
 
 namespace raytube {
 namespace {
@@ -71,7 +71,7 @@ TEST(NearInteraction, OfASolveIsThatOfPlaneWavesFromAfar) {
   options.keep_parts = true;
   const Direction direction{80 * degree, 33 * degree};
   const auto part = [&](const Look& look) {
-    return solve(body.target, {{frequency}, {look}, false}, options).parts[Part::interaction][0];
+    return solve(body.target, {{frequency}, {look}, false}, options).of("interaction")[0];
   };
   const Look look = near_look(direction, 1e4 * body.unit());
   const double off = difference(part(look), part({direction, direction}));

@@ -39,8 +39,8 @@ SweepResult seen(PolygonSoup soup, const Material& material, const std::vector<D
 }
 
 std::vector<ScatteringMatrix> of_edges(const SweepResult& result) {
-  std::vector<ScatteringMatrix> sum = result.parts[Part::edges_first];
-  const std::vector<ScatteringMatrix>& higher = result.parts[Part::edges_higher];
+  std::vector<ScatteringMatrix> sum = result.of("edges_order_1");
+  const std::vector<ScatteringMatrix>& higher = result.of("edges_order_2_on");
   for (std::size_t i = 0; i < higher.size(); ++i) sum[i] += higher[i];
   return sum;
 }

@@ -45,8 +45,8 @@ SweepResult solve_edges(const PolygonSoup& soup, const Sweep& sweep, const EdgeS
 }
 
 ScatteringMatrix edges_of(const SweepResult& result, std::size_t row) {
-  return result.parts[Part::edges_higher].empty() ? result.parts[Part::edges_first][row]
-                                                  : result.parts[Part::edges_first][row] + result.parts[Part::edges_higher][row];
+  return result.of("edges_order_2_on").empty() ? result.of("edges_order_1")[row]
+                                               : result.of("edges_order_1")[row] + result.of("edges_order_2_on")[row];
 }
 
 /// The rows of the 2-D solution for one thickness.

@@ -6,10 +6,10 @@
 
 #include "core/error.h"
 #include "mesh/load.h"
-#include "validation/point_waves.h"
 #include "run.h"
 #include "shapes.h"
 #include "solve/solve.h"
+#include "validation/point_waves.h"
 
 namespace raytube {
 
@@ -152,8 +152,8 @@ TEST(FiniteRange, EdgesOfADistantTargetAreSeenFromWhereItStands) {
   Scene scene(std::move(plate), EdgeMethod::fringe);
   scene.options.keep_parts = true;
   const Look near = near_look({50 * degree, 0.3}, 940.0), farther = near_look({50 * degree, 0.3}, 945.0);
-  const double a = frobenius_norm(scene.solve(10e9, near).parts[Part::edges_first][0]),
-               b = frobenius_norm(scene.solve(10e9, farther).parts[Part::edges_first][0]);
+  const double a = frobenius_norm(scene.solve(10e9, near).of("edges_order_1")[0]),
+               b = frobenius_norm(scene.solve(10e9, farther).of("edges_order_1")[0]);
   EXPECT_NEAR(a, b, 0.1 * a);  // the direction changes by .3 mrad, a lobe of edges is 50 mrad wide
 }
 

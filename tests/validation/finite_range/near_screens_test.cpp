@@ -1,11 +1,11 @@
 // Edges behind screens, from antennas at a finite distance.
 #include <gtest/gtest.h>
 
-#include "validation/material_scene.h"
-#include "validation/point_waves.h"
 #include "run.h"
 #include "solve/image.h"
 #include "utd/wedge/edge_currents.h"
+#include "validation/material_scene.h"
+#include "validation/point_waves.h"
 
 namespace raytube {
 
@@ -41,8 +41,8 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
   const bool bistatic = !(look.transmit == look.receive && look.transmit_range == look.receive_range);
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
   const SweepResult result = solve(Target(loaded.mesh), {{frequency}, {look}, bistatic, {}, materials}, options);
-  ScatteringMatrix sum = result.parts[Part::edges_first][0];
-  return sum += result.parts[Part::edges_higher][0];
+  ScatteringMatrix sum = result.of("edges_order_1")[0];
+  return sum += result.of("edges_order_2_on")[0];
 }
 
 // As ScreenedEdges.AScreenOfVacuumChangesNothing: the strips of parts of edges have other panels than those of whole ones.

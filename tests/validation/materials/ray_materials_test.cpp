@@ -3,8 +3,8 @@
 
 #include <random>
 
-#include "validation/material_scene.h"
 #include "run.h"
+#include "validation/material_scene.h"
 
 namespace raytube {
 
@@ -105,7 +105,7 @@ TEST(RayMaterials, AConductorIsTheLimit) {
         ASSERT_EQ(s.bounces.size(), metal.bounces.size());
         for (std::size_t i = 0; i < s.bounces.size(); ++i)
           EXPECT_LT(frobenius_norm(s.bounces[i][0] - metal.bounces[i][0]), 1e-9) << i;
-        EXPECT_EQ(frobenius_norm(s.parts[Part::edges_first][0]), 0.0);
+        EXPECT_EQ(frobenius_norm(s.of("edges_order_1")[0]), 0.0);
       }
 }
 
@@ -114,9 +114,9 @@ TEST(RayMaterials, OnlyWedgesOfConductorsDiffract) {
   const PolygonSoup alone = shapes::plate(0.2), beside = shapes::transformed(alone, glm::dmat3(1.0), 1.0, {0.5, 0.0, 0.0}),
                     two = both(made_of(alone, {no_index}), made_of(beside, {0}));
   const Look look{deg(40.0, 20.0), deg(30.0, 100.0)};
-  const ScatteringMatrix expected = RayScene{alone}.seen(look).parts[Part::edges_first][0];
+  const ScatteringMatrix expected = RayScene{alone}.seen(look).of("edges_order_1")[0];
   // Of 8 mm; what the other plate hides of the first one's edges is nothing from above.
-  EXPECT_LT(frobenius_norm(RayScene{two, {glass}}.seen(look).parts[Part::edges_first][0] - expected), 1e-10);
+  EXPECT_LT(frobenius_norm(RayScene{two, {glass}}.seen(look).of("edges_order_1")[0] - expected), 1e-10);
   EXPECT_GT(frobenius_norm(expected), 0.005);
 }
 
@@ -150,7 +150,7 @@ TEST(RayMaterials, WavesPassASheetTwice) {
     const SweepResult bare = RayScene{plate}.seen(look, far), sheet = RayScene{under_sheet({}, -0.3), {laminate}}.seen(look, far),
                       s = RayScene{under_sheet(plate, -0.3), {laminate}}.seen(look, far);
     for (const int p : {0, 1}) {
-      const auto edges = [&](const SweepResult& of) { return of.parts[Part::edges_first][0].at(p, p); };
+      const auto edges = [&](const SweepResult& of) { return of.of("edges_order_1")[0].at(p, p); };
       EXPECT_LT(std::abs(edges(s) / edges(bare) - t(in, p) * t(to, p)), 1e-3);
       if (to != in) continue;
       const Complex behind = bounce(s, 1, p) - bounce(sheet, 1, p);

@@ -101,11 +101,11 @@ TEST(ManyFrequencies, OfTheEdgePassAreWhatEachOneGives) {
       const SweepResult all = solve(target, {frequencies, {look}, true}, o);
       double scale = 0.0, worst = 0.0;
       for (std::size_t f = 0; f < 101; ++f)
-        scale = std::max(scale, largest(all.parts[Part::edges_first][f] + all.parts[Part::edges_higher][f]));
+        scale = std::max(scale, largest(all.of("edges_order_1")[f] + all.of("edges_order_2_on")[f]));
       for (std::size_t f = 0; f < 101; f += 10) {
         const SweepResult direct = solve(target, {{frequencies[f], high}, {look}, true}, o);
-        worst = std::max({worst, difference(all.parts[Part::edges_first][f], direct.parts[Part::edges_first][0]),
-                          difference(all.parts[Part::edges_higher][f], direct.parts[Part::edges_higher][0])});
+        worst = std::max({worst, difference(all.of("edges_order_1")[f], direct.of("edges_order_1")[0]),
+                          difference(all.of("edges_order_2_on")[f], direct.of("edges_order_2_on")[0])});
       }
       EXPECT_GT(scale, 0.0);
       EXPECT_LE(worst, 1e-7 * scale) << low;

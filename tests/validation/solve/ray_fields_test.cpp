@@ -91,8 +91,8 @@ TEST(RayFields, EdgesOfAPlateAreThoseOfThePublicFunction) {
     for (const StraightEdge& edge : edges) sum += diffracted_field(edge, source, range * receive.radial, k);
     sum = std::polar(range * range, 2 * k * range) * sum;
     // Rounding of phases k range = 190; the sum is some 5 m.
-    expect_near(found.parts[Part::edges_first][0].at(0, q), dot(sum, receive.theta_hat), 1e-10, "received V");
-    expect_near(found.parts[Part::edges_first][0].at(1, q), dot(sum, receive.phi_hat), 1e-10, "received H");
+    expect_near(found.of("edges_order_1")[0].at(0, q), dot(sum, receive.theta_hat), 1e-10, "received V");
+    expect_near(found.of("edges_order_1")[0].at(1, q), dot(sum, receive.phi_hat), 1e-10, "received H");
   }
 }
 

@@ -89,7 +89,7 @@ TEST(InteractionReach, LessThanHalfIsNone) {
   EXPECT_EQ(skipped(forced, looks, why), 0u);
   EXPECT_EQ(skipped(poor, "pairs of edge and face", "beyond"), 0u);
   EXPECT_GT(skipped(forced, "pairs of edge and face", "beyond"), 0u);
-  EXPECT_EQ(frobenius_norm(poor.parts[Part::interaction][0]), 0.0);
+  EXPECT_EQ(frobenius_norm(poor.of("interaction")[0]), 0.0);
   EXPECT_EQ(poor.model[0][0][0], without.model[0][0][0]);
   const SweepResult rich = solved({}, 1e4), all = solved(true, 1e4);
   EXPECT_EQ(skipped(rich, looks, why), 0u);
@@ -138,6 +138,12 @@ TEST(PairBound, HoldsForRandomPairsAndTheirAzimuthsMissNothing) {
   measured("largest share of its bound that a pair has", closest, "");
 }
 
+std::uint64_t beyond_its_budget(const Contribution& interaction) {
+  std::uint64_t sum = 0;
+  for (const Count& each : interaction.counts) sum += each.why == beyond_budget ? each.count : 0;
+  return sum;
+}
+
 // Candidates have prices known beforehand, right within a factor of ten (docs/theory/interaction.md): measured .7 to 14 times
 // what is allowed, by two or three pairs, where boxes of two wavelengths see one another past many corners.
 TEST(InteractionBudget, CountedWorkIsOfItsOrder) {
@@ -152,15 +158,16 @@ TEST(InteractionBudget, CountedWorkIsOfItsOrder) {
       Progress none({});
       const LookResult result = solver.solve(look, none, 1.0);
       const double allowed = interaction_limits(plan).work;
-      const double work = result.others.run(MechanismId::interaction).work;
+      const Contribution& interaction = result.mechanisms[plan.index_of("interaction")];
+      const double work = interaction.work;
       EXPECT_GT(allowed, 0.0);
       EXPECT_GT(work, 0.0);
       measured("work over what is allowed", work / allowed, "");
       EXPECT_LT(work, 20.0 * allowed) << "budget " << budget << ", look " << look;
-      EXPECT_GT(result.others.skipped.pairs_beyond_budget, 0u);
-      ASSERT_EQ(result.others.left_out.size(), 1u);
-      EXPECT_GT(result.others.left_out[0], 0.0);
-      EXPECT_TRUE(std::isfinite(result.others.left_out[0]));
+      EXPECT_GT(beyond_its_budget(interaction), 0u);
+      ASSERT_EQ(interaction.missing.size(), 1u);
+      EXPECT_GT(interaction.missing[0], 0.0);
+      EXPECT_TRUE(std::isfinite(interaction.missing[0]));
     }
   }
 }
@@ -176,22 +183,22 @@ TEST(InteractionBudget, WhatIsLeftOutIsNoLargerThanItSays) {
     o.edges.interaction_budget = budget;
     const SolvePlan plan(target, sweep, o);
     const LookSolver solver(plan);
-    std::vector<LookResult> results;
+    std::vector<Contribution> results;
     for (std::size_t look = 0; look < directions.size(); ++look) {
       Progress none({});
-      results.push_back(solver.solve(look, none, 1.0));
+      results.push_back(solver.solve(look, none, 1.0).mechanisms[plan.index_of("interaction")]);
     }
     return results;
   };
-  const std::vector<LookResult> whole = solved(unlimited_interaction_budget), part = solved(4.0);
+  const std::vector<Contribution> whole = solved(unlimited_interaction_budget), part = solved(4.0);
   std::vector<double> missing, estimate;
   for (std::size_t look = 0; look < directions.size(); ++look) {
-    EXPECT_EQ(whole[look].others.skipped.pairs_beyond_budget, 0u);
-    if (part[look].others.left_out.empty()) continue;
-    ScatteringMatrix difference = whole[look].others.s[Part::interaction][0];
-    difference += ScatteringMatrix(part[look].others.s[Part::interaction][0]) *= -1.0;
+    EXPECT_EQ(beyond_its_budget(whole[look]), 0u);
+    if (part[look].missing.empty()) continue;
+    ScatteringMatrix difference = whole[look].at(0, 0);
+    difference += part[look].at(0, 0) *= -1.0;
     missing.push_back(std::max(std::abs(difference.at(0, 0)), std::abs(difference.at(1, 1))));
-    estimate.push_back(part[look].others.left_out[0]);
+    estimate.push_back(part[look].missing[0]);
   }
   ASSERT_GT(missing.size(), 6u);
   measured("left out, rms", rms(missing) / lambda, "wavelengths");

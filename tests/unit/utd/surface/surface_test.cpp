@@ -143,7 +143,7 @@ TEST(SurfaceWaves, NoneOnFlatFaces) {
   SolveOptions options;
   options.keep_parts = true;
   const SweepResult result = solve(Target(build_mesh(shapes::box({2, 3, 4}), 1.0).mesh), sweep, options);
-  EXPECT_EQ(frobenius_norm(result.parts[Part::surface_waves][0]), 0.0);
+  EXPECT_EQ(frobenius_norm(result.of("surface_waves")[0]), 0.0);
 }
 
 TEST(Convexity, UpToTheDentsOfATessellation) {

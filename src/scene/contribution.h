@@ -1,0 +1,59 @@
+// What one mechanism gives one look: the same for all of them, so that looks are kept, sent and written by one loop.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// How the counts of several bands of frequencies become one count of the look. Counts of looks are added up.
+enum class Fold : std::uint8_t { sum, most, least };
+
+/// Something that a mechanism did so often, or left out for a reason.
+struct Count {
+  std::string what;         // done: its name in run.json; left out: in words
+  std::string why{};        // it was left out, and a remedy where there is one; empty: it was done
+  std::uint64_t count = 0;  // how often
+  Fold fold = Fold::sum;    // over bands
+
+  /// Whether both count the same thing.
+  bool like(const Count& other) const { return what == other.what && why == other.why; }
+  /// All members, as bytes are made of them (core/bytes.h).
+  static void members(auto& c, auto&& take) { take(c.what), take(c.why), take(c.count), take(c.fold); }
+};
+
+/// One mechanism in one look, at all frequencies of a band or of a sweep. Phase reference as for the tubes.
+struct Contribution {
+  std::vector<std::vector<ScatteringMatrix>> s{};  // [column of the mechanism][frequency] [m]; empty columns add nothing
+  std::vector<ChannelErrors> error{};              // [frequency] estimated numerical error [m]; empty: none
+  std::vector<double> missing{};                   // [frequency] left out for the budget's sake [m]; empty: nothing
+  std::vector<bool> ran{};                         // [frequency]; empty: at none
+  double most_db = 0.0;  // most by which it was expected to move a co-polar row where it did not run [dB]
+  double work = 0.0;     // counted work (utd/work.h)
+  double reach = 1.0;    // share of what is expected of it that its budget allows, where that is too little
+  std::vector<Count> counts{};
+
+  /// Its budget was too small for it to be begun.
+  bool out_of_reach() const { return reach < 1.0; }
+  bool ran_at(std::size_t frequency) const { return !ran.empty() && ran[frequency]; }
+  /// S of one column at one frequency; zero where nothing is added [m].
+  ScatteringMatrix at(std::size_t column, std::size_t frequency) const {
+    return column < s.size() && !s[column].empty() ? s[column][frequency] : ScatteringMatrix();
+  }
+  /// All members, as bytes are made of them (core/bytes.h).
+  static void members(auto& c, auto&& take) {
+    take(c.s), take(c.error), take(c.missing), take(c.ran), take(c.most_db), take(c.work), take(c.reach), take(c.counts);
+  }
+  /// A count by its name; 0 if there is none.
+  std::uint64_t counted(std::string_view what) const {
+    for (const Count& each : counts)
+      if (each.what == what) return each.count;
+    return 0;
+  }
+};
+
+}  // namespace raytube

@@ -1,0 +1,122 @@
+#include "solve/account.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include "solve/mechanisms/mechanism.h"
+
+namespace raytube {
+
+Account::Account(const SolvePlan& plan)
+    : plan_(plan),
+      used_(plan.mechanisms.size()),
+      beyond_(plan.mechanisms.size()),
+      most_reach_(plan.mechanisms.size()),
+      sliver_areas_(plan.looks.computed.size()) {
+  for (const MechanismEntry& mechanism : plan.mechanisms)
+    for (const char* name : mechanism.counts) counts_.push_back({name});
+}
+
+void Account::add(std::size_t index, const LookResult& look, std::size_t following) {
+  add_tubes(index, look.tubes);
+  if (look.tubes.tubes == 0 && !plan_.rays()) add_count({"tubes of a look", "the target has no projected area", 1}, following);
+  for (std::size_t i = 0; i < look.mechanisms.size(); ++i) {
+    const Contribution& part = look.mechanisms[i];
+    for (const Count& count : part.counts) add_count(count, following);
+    if (!plan_.states[i].on) continue;
+    ++(part.ran.empty() || part.out_of_reach() ? used_[i].looks_without : used_[i].looks);
+    used_[i].most_db = std::max(used_[i].most_db, part.most_db);
+    if (!part.out_of_reach()) continue;
+    ++beyond_[i];
+    most_reach_[i] = std::max(most_reach_[i], part.reach > 0.0 ? part.reach : least_reach);
+  }
+}
+
+// What was traced for a look.
+void Account::add_tubes(std::size_t index, const TubeSums& tubes) {
+  all_.tubes += tubes.tubes;
+  all_.rays += tubes.rays;
+  all_.lost_rays += tubes.lost_rays;
+  if (tubes.lost_rays > 0) lost_rays_[index] = tubes.first_lost;
+  add_look(all_.truncated, tubes.truncated);
+  sliver_areas_[index] = tubes.sliver_area;
+  if (all_.hits.size() < tubes.hits.size()) all_.hits.resize(tubes.hits.size());
+  for (std::size_t b = 0; b < tubes.hits.size(); ++b) all_.hits[b] += tubes.hits[b];
+  add_count({"tubes", "empty cells of the grid", tubes.empty_cells}, 1);
+  add_count({"faces in a look", "turned away from the transmitter", tubes.faces_away}, 1);
+}
+
+void Account::add_count(const Count& count, std::size_t looks) {
+  auto known = std::ranges::find_if(counts_, [&](const Count& each) { return each.like(count); });
+  if (known == counts_.end()) known = counts_.insert(counts_.end(), {count.what, count.why});
+  known->count += count.count * looks;
+}
+
+Statistics Account::finish() {
+  tell_tubes();
+  for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i) tell_mechanism(i);
+  for (const Count& count : counts_) {
+    if (count.why.empty())
+      all_.counts.push_back(count);
+    else if (count.count > 0)
+      all_.skipped.push_back({count.what, count.why, count.count});
+  }
+  all_.mechanisms = used_;
+  tell_lost_rays();
+  all_.wedges = plan_.target.wedges.size();
+  all_.paths = plan_.rays();
+  all_.ray_range = plan_.ray_range;
+  if (!plan_.fringe()) return std::move(all_);
+  const auto [lowest, highest] = std::ranges::minmax(plan_.sweep.frequencies);
+  all_.thin_plate_edges_lowest = count_thin(plan_.thin_plate_edges, lowest);
+  all_.thin_plate_edges_highest = count_thin(plan_.thin_plate_edges, highest);
+  return std::move(all_);
+}
+
+void Account::tell_tubes() {
+  all_.sliver_area = std::accumulate(sliver_areas_.begin(), sliver_areas_.end(), 0.0);
+  std::ranges::copy(plan_.skipped_wedges, std::back_inserter(all_.skipped));
+  std::ranges::copy(plan_.skips, std::back_inserter(all_.skipped));
+  if (plan_.tubes.skip && plan_.no_reflection() && !all_.hits.empty() && all_.hits[0] > 0)
+    all_.skipped.push_back({"reflected tubes", nothing_in_front, all_.hits[0]});
+}
+
+// Whether it took part, and what is without it.
+void Account::tell_mechanism(std::size_t i) {
+  const MechanismEntry& mechanism = plan_.mechanisms[i];
+  const MechanismState& state = plan_.states[i];
+  MechanismUse& use = used_[i];
+  use.name = mechanism.name, use.label = mechanism.label, use.key = mechanism.key, use.on = state.on, use.why_not = state.why_not;
+  const std::string looks = std::string("looks without ") + mechanism.label;
+  const auto leave_out = [&](const std::string& why, std::uint64_t count) {
+    if (count > 0) all_.skipped.push_back({looks, why, count});
+  };
+  if (state.missed) leave_out(state.why_not, plan_.sweep.looks.size());
+  std::ranges::copy(state.skipped, std::back_inserter(all_.skipped));
+  if (mechanism.budget_key) {  // with the share, if it was known in all of these looks before the mechanism began
+    const std::string share =
+        most_reach_[i] < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * most_reach_[i]) : "";
+    leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), beyond_[i]);
+  } else if (!state.forced) {
+    leave_out(
+        fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about {:.2g} dB at most, "
+                    "accuracy.tolerance_db is {:g}",
+                    use.most_db, plan_.tubes.tolerance_db),
+        use.looks_without);
+  }
+}
+
+void Account::tell_lost_rays() {
+  all_.looks_with_lost_rays = lost_rays_.size();
+  for (const auto& [index, rays] : lost_rays_)
+    for (const LostRay& ray : rays) {
+      if (all_.first_lost_rays.size() == most_lost_rays_told) return;
+      const std::size_t look = plan_.looks.computed[index];
+      all_.first_lost_rays.push_back({ray.at + plan_.target.mesh.center, ray.triangle, look, plan_.sweep.looks[look].transmit});
+    }
+}
+
+}  // namespace raytube
