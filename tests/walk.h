@@ -28,7 +28,7 @@ inline Ray ray_into(const TriangleMesh& mesh, std::mt19937_64& generator) {
 
 /// True if a ray inside a closed mesh met nothing, or the outside of a facet.
 inline bool is_lost(const TriangleMesh& mesh, const Ray& ray, const Hit& hit) {
-  return !hit || glm::dot(mesh.patches[mesh.triangle_patch[hit.triangle]].normal, ray.direction) < 0.0;
+  return !hit || glm::dot(mesh.patch_of(hit.triangle).normal, ray.direction) < 0.0;
 }
 
 /// Shoots `count` rays, each reflected where the one before ended; returns how many were lost.

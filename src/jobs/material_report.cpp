@@ -28,15 +28,11 @@ double area_of(const TriangleMesh& mesh, std::size_t triangle) {
   return 0.5 * glm::length(glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]));
 }
 
-std::uint32_t material_of(const TriangleMesh& mesh, std::size_t triangle) {
-  return mesh.patches[mesh.triangle_patch[triangle]].material;
-}
-
 // Of each material, and of perfect conductors behind them.
 std::vector<Share> shares_of(std::size_t materials, const TriangleMesh& mesh) {
   std::vector<Share> shares(materials + 1);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    Share& share = shares[std::min<std::size_t>(material_of(mesh, i), materials)];
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    Share& share = shares[std::min<std::size_t>(mesh.patch_of(i).material, materials)];
     ++share.triangles;
     share.area += area_of(mesh, i);
   }
@@ -93,7 +89,7 @@ std::string response_text(const Material& material, const Sweep& sweep, std::siz
 const char* note_on_inside(const Material& material, std::uint32_t index, const TriangleMesh& mesh) {
   if (material.kind != MaterialKind::half_space) return "";
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (mesh.closed(t) && material_of(mesh, t) == index) return "; no waves inside the body (kind \"solid\" has them)";
+    if (mesh.closed(t) && mesh.patch_of(t).material == index) return "; no waves inside the body (kind \"solid\" has them)";
   return "";
 }
 
@@ -134,7 +130,7 @@ OverlapNote overlap_note(const Case& c, const Target& target) {
   const Overlaps overlaps = overlaps_of_materials(target.tracer);
   if (overlaps.pairs == 0) return {};
   const dvec3 point = point_of(overlaps, target.mesh);
-  const auto name = [&](int i) { return name_of(c.sweep.materials, material_of(target.mesh, overlaps.example[i])); };
+  const auto name = [&](int i) { return name_of(c.sweep.materials, target.mesh.patch_of(overlaps.example[i]).material); };
   return {overlaps.pairs,
           fmt::format("{} pairs of facets of different materials lie upon one another in one plane, for example \"{}\" and "
                       "\"{}\" near ({:.6g}, {:.6g}, {:.6g}) m: only one of the two is seen, by their order in the file and by "

@@ -18,24 +18,21 @@ WedgeOptions beyond_rounding(WedgeOptions options) {
   return options;
 }
 
-std::unique_ptr<const TriangleMesh> with_bends(TriangleMesh&& mesh, const EdgeTable& edges, const WedgeOptions& options) {
-  mesh.bends = find_bends(mesh, edges, options.min_wedge_angle);
+std::unique_ptr<const TriangleMesh> with_bends(TriangleMesh&& mesh, const WedgeOptions& options) {
+  mesh.bends = find_bends(mesh, options.min_wedge_angle);
   return std::make_unique<const TriangleMesh>(std::move(mesh));
 }
 
 }  // namespace
 
 Target::Target(TriangleMesh triangles, const WedgeOptions& how)
-    : Target(std::move(triangles), EdgeTable(triangles.triangles, triangles.vertices.size()), how) {}
-
-Target::Target(TriangleMesh&& triangles, const EdgeTable& edges, const WedgeOptions& how)
-    : owned_(with_bends(std::move(triangles), edges, beyond_rounding(how))),
+    : owned_(with_bends(std::move(triangles), beyond_rounding(how))),
       mesh(*owned_),
       options(beyond_rounding(how)),
       tracer(mesh),
       faces(mesh),
       convexity(find_convexity(mesh)),
-      wedges(find_wedges(mesh, edges, options.min_wedge_angle)),
+      wedges(find_wedges(mesh, options.min_wedge_angle)),
       components_enclosed(find_enclosed_components(faces)),
       wedges_enclosed(mark_enclosed(mesh, components_enclosed, wedges)),
       outlines(mesh, wedges, options.min_wedge_angle),

@@ -22,8 +22,6 @@ struct Target {
   explicit Target(TriangleMesh mesh, const WedgeOptions& options = {});
 
  private:
-  Target(TriangleMesh&& mesh, const EdgeTable& edges, const WedgeOptions& options);
-
   std::unique_ptr<const TriangleMesh> owned_;  // stays where it is when the target is moved
 
  public:

@@ -65,7 +65,7 @@ Box enclosing_box(const SourceCase& c, const TriangleMesh& mesh) {
 
 // True if a point lies on a triangle, to within `tolerance` [m].
 bool lies_on(const TriangleMesh& mesh, std::uint32_t triangle, const dvec3& point, double tolerance) {
-  const Patch& plane = mesh.patches[mesh.triangle_patch[triangle]];
+  const Patch& plane = mesh.patch_of(triangle);
   if (std::abs(glm::dot(plane.normal, point) - plane.offset) > tolerance) return false;
   const auto& corners = mesh.triangles[triangle];
   int left = 0, right = 0;

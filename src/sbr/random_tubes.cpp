@@ -160,7 +160,7 @@ class Block {
 
   bool from_inside(const Ray& ray, const Hit& hit) const {
     const TriangleMesh& mesh = scene_.tracer.mesh();
-    return mesh.closed(hit.triangle) && glm::dot(mesh.patches[mesh.triangle_patch[hit.triangle]].normal, ray.direction) > 0.0;
+    return mesh.closed(hit.triangle) && glm::dot(mesh.patch_of(hit.triangle).normal, ray.direction) > 0.0;
   }
 
   // Monte Carlo integration of the radiation integral: the value of its integrand times the area that the tube stands for.

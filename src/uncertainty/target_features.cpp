@@ -160,10 +160,9 @@ double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) {
 double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
   if (edge.sides.size() != 2) return 0.0;
   const EdgeTable::Side &first = edge.sides[0], &second = edge.sides[1];
-  const dvec3& a = mesh.patches[mesh.triangle_patch[first.triangle]].normal;
-  const dvec3& b = mesh.patches[mesh.triangle_patch[second.triangle]].normal;
-  const bool turned = mesh.triangles[first.triangle][first.corner] == mesh.triangles[second.triangle][second.corner];
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, turned ? -b : b));
+  const dvec3& a = mesh.patch_of(first.triangle).normal;
+  const dvec3& b = mesh.patch_of(second.triangle).normal;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, mesh.is_turned(first, second) ? -b : b));
 }
 
 // Sets of triangles that patches and creases join. `ends` says of each patch whether it has an edge.
@@ -206,7 +205,7 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
   CurvedParts parts;
   parts.patches.resize(mesh.patches.size());
   std::vector<bool> ends(mesh.patches.size());
-  const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+  const EdgeTable& edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const double angle = crease_angle(mesh, edges[e]);
     const bool sharp = angle >= min_wedge_angle && !mesh.is_bend(edges[e].low, edges[e].high);

@@ -92,7 +92,7 @@ std::uint64_t met_from_inside(const TriangleMesh& mesh, const std::vector<Ray>& 
   tracer.closest_hits(rays, hits);
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < rays.size(); ++i)
-    count += hits[i] && glm::dot(mesh.patches[mesh.triangle_patch[hits[i].triangle]].normal, rays[i].direction) > 0.0 ? 1 : 0;
+    count += hits[i] && glm::dot(mesh.patch_of(hits[i].triangle).normal, rays[i].direction) > 0.0 ? 1 : 0;
   return count;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
 
 namespace raytube {
@@ -31,19 +30,11 @@ bool lies_in_one_plane(const TriangleMesh& mesh) {
 // about those inside facets it always is, about those inside edges if it is so about their ends.
 class ConvexBody {
  public:
-  explicit ConvexBody(const TriangleMesh& mesh) : mesh_(mesh), rounding_(rounding(mesh)), first_(mesh.vertices.size() + 1) {
-    for (const auto& triangle : mesh.triangles)
-      for (const std::uint32_t v : triangle) ++first_[v + 1];
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    around_.resize(3 * mesh.triangles.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      for (const std::uint32_t v : mesh.triangles[t]) around_[next[v]++] = t;
-  }
+  explicit ConvexBody(const TriangleMesh& mesh) : mesh_(mesh), rounding_(rounding(mesh)) {}
 
   bool found() {
     if (mesh_.components.size() != 1 || !mesh_.components[0].closed) return false;
-    const EdgeTable edges(mesh_.triangles, mesh_.vertices.size());
+    const EdgeTable& edges = mesh_.edges();
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (edges[e].sides.size() != 2) return false;
     for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v)
@@ -52,9 +43,7 @@ class ConvexBody {
   }
 
  private:
-  std::span<const std::uint32_t> around(std::uint32_t v) const {
-    return std::span(around_).subspan(first_[v], first_[v + 1] - first_[v]);
-  }
+  std::span<const std::uint32_t> around(std::uint32_t v) const { return mesh_.at_vertex()[v]; }
 
   // The planes that meet at a vertex hold it, and have none of its neighbours in front.
   bool neighbours_lie_behind(std::uint32_t v) {
@@ -90,7 +79,7 @@ class ConvexBody {
   // Seen from outside, the facets at a vertex go round it once: neither do they overlap nor do two tips touch there.
   bool winds_once(std::uint32_t v) const {
     dvec3 axis(0.0);
-    for (const std::uint32_t t : around(v)) axis += mesh_.patches[mesh_.triangle_patch[t]].normal;
+    for (const std::uint32_t t : around(v)) axis += mesh_.patch_of(t).normal;
     double angle = 0.0;
     for (const std::uint32_t t : around(v)) {
       const auto& triangle = mesh_.triangles[t];
@@ -106,7 +95,6 @@ class ConvexBody {
 
   const TriangleMesh& mesh_;
   double rounding_;
-  std::vector<std::uint32_t> first_, around_;  // triangles around each vertex
   std::vector<std::uint32_t> planes_;
   std::uint64_t comparisons_ = 0;
 };

@@ -26,7 +26,7 @@ struct Leaf {
 /// An edge stands on a patch it belongs to only if it is shorter than the distance by which patches are flat.
 bool stands_on_patch(const TriangleMesh& mesh, const EdgeTable::Edge& edge, const dvec3& tangent) {
   return std::ranges::any_of(edge.sides, [&](const EdgeTable::Side& side) {
-    return std::abs(glm::dot(mesh.patches[mesh.triangle_patch[side.triangle]].normal, tangent)) > 0.5;
+    return std::abs(glm::dot(mesh.patch_of(side.triangle).normal, tangent)) > 0.5;
   });
 }
 
@@ -86,8 +86,8 @@ bool is_wedge(const TriangleMesh& mesh, const EdgeSector& sector, double min_wed
          !mesh.is_bend(sector.start, sector.end);
 }
 
-std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges,
-                                        const std::function<bool(const EdgeSector&)>& takes) {
+std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const std::function<bool(const EdgeSector&)>& takes) {
+  const EdgeTable& edges = mesh.edges();
   std::vector<EdgeSector> sectors;
   std::vector<Leaf> leaves;
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
@@ -27,10 +26,8 @@ struct EdgeSector {
 };
 
 /// The sectors between neighbouring triangles around each edge whose two sides are exposed: both sides of open components,
-/// the front of closed ones. Ordered by edge; faces[0] <= faces[1]. `edges` are those of the mesh; only the sectors that `takes`
-/// are listed.
-std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const EdgeTable& edges,
-                                        const std::function<bool(const EdgeSector&)>& takes);
+/// the front of closed ones. Ordered by edge; faces[0] <= faces[1]. Only the sectors that `takes` are listed.
+std::vector<EdgeSector> exposed_sectors(const TriangleMesh& mesh, const std::function<bool(const EdgeSector&)>& takes);
 
 /// False where two faces lie on one another: what lies between them is rounding, no space.
 bool has_opening(const EdgeSector& sector);

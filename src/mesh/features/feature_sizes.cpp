@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "mesh/model/edge_table.h"
-
 namespace raytube {
 
 namespace {
@@ -24,8 +22,7 @@ double crease(const TriangleMesh& mesh, const std::vector<dvec3>& areas, const E
   if (mesh.triangle_patch[side.triangle] == mesh.triangle_patch[other.triangle]) return 0.0;
   const Triangle &t = mesh.triangles[side.triangle], &u = mesh.triangles[other.triangle];
   const dvec3 &a = areas[side.triangle], &b = areas[other.triangle];
-  const bool same_sense = t[side.corner] == u[(other.corner + 1) % 3];
-  const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, same_sense ? b : -b));
+  const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, mesh.is_turned(side, other) ? -b : b));
   const dvec3 beyond = mesh.vertices[u[(other.corner + 2) % 3]] - mesh.vertices[t[side.corner]];
   return glm::dot(a, beyond) <= 0.0 ? angle : -angle;
 }
@@ -72,7 +69,6 @@ std::vector<SizedArea> sizes_of_groups(const TriangleMesh& mesh, const std::vect
 }  // namespace
 
 FeatureSizes feature_sizes(const TriangleMesh& mesh, double min_wedge_angle) {
-  const EdgeTable edges(mesh.triangles, mesh.vertices.size());
   const std::vector<dvec3> areas = area_vectors(mesh);
   std::vector<std::array<double, 3>> bends(mesh.triangles.size());  // of each triangle's sides; zero at wedges, too
   // Visits every edge once, and notes its crease on the way.
@@ -84,7 +80,7 @@ FeatureSizes feature_sizes(const TriangleMesh& mesh, double min_wedge_angle) {
     return true;
   };
   FeatureSizes sizes;
-  sizes.faces = sizes_of_groups(mesh, areas, connected_groups(edges, mesh.triangles.size(), is_smooth));
+  sizes.faces = sizes_of_groups(mesh, areas, connected_groups(mesh.edges(), mesh.triangles.size(), is_smooth));
   sizes.components = sizes_of_groups(mesh, areas, mesh.triangle_component);
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const double area = 0.5 * glm::length(areas[i]), bent = curvature(mesh, areas[i], i, bends[i]);

@@ -77,8 +77,7 @@ void Outlines::add_wedges(std::span<const Wedge> wedges) {
 /// What is left of the outlines once the wedges are taken: flat creases, and faces that touch with no space between them.
 void Outlines::add_creases(const TriangleMesh& mesh, double min_wedge_angle) {
   if (edges_.empty()) return;
-  const EdgeTable table(mesh.triangles, mesh.vertices.size());
-  std::vector<EdgeSector> sectors = exposed_sectors(mesh, table, [&](const EdgeSector& sector) {
+  std::vector<EdgeSector> sectors = exposed_sectors(mesh, [&](const EdgeSector& sector) {
     const auto wanted = [&](const PatchSide& side) { return edges_.contains(side_index(side.patch, side.back)); };
     return (wanted(sector.faces[0]) || wanted(sector.faces[1])) && sector.faces[0] != sector.faces[1] &&
            !is_wedge(mesh, sector, min_wedge_angle);

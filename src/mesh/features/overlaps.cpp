@@ -12,11 +12,9 @@ std::array<dvec3, 3> corners(const TriangleMesh& mesh, std::uint32_t triangle) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-const Patch& patch(const TriangleMesh& mesh, std::uint32_t triangle) { return mesh.patches[mesh.triangle_patch[triangle]]; }
-
 // Where two closed bodies touch no wave gets between them.
 bool have_a_side_in_common(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
-  return !mesh.closed(a) || !mesh.closed(b) || glm::dot(patch(mesh, a).normal, patch(mesh, b).normal) > 0.0;
+  return !mesh.closed(a) || !mesh.closed(b) || glm::dot(mesh.patch_of(a).normal, mesh.patch_of(b).normal) > 0.0;
 }
 
 }  // namespace
@@ -27,7 +25,7 @@ Overlaps overlaps_of_materials(const Tracer& tracer) {
   Overlaps overlaps;
   for (std::uint32_t a = 0; a < mesh.triangles.size(); ++a)
     for (const std::uint32_t b : tracer.near_coincident(a)) {
-      if (b < a || patch(mesh, a).material == patch(mesh, b).material || !have_a_side_in_common(mesh, a, b)) continue;
+      if (b < a || mesh.patch_of(a).material == mesh.patch_of(b).material || !have_a_side_in_common(mesh, a, b)) continue;
       if (!lie_upon_one_another(corners(mesh, a), corners(mesh, b), in_one_plane)) continue;
       if (overlaps.pairs++ == 0) overlaps.example = {a, b};
     }

@@ -9,23 +9,23 @@ namespace {
 
 /// Calls visit(patch, edge) for the edges round each patch.
 template <class Visit>
-void for_each_border_edge(const TriangleMesh& mesh, const EdgeTable& edges, Visit visit) {
+void for_each_border_edge(const TriangleMesh& mesh, Visit visit) {
+  const EdgeTable& edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeTable::Edge edge = edges[e];
-    const auto patch = [&](const EdgeTable::Side& side) { return mesh.triangle_patch[side.triangle]; };
-    if (edge.sides.size() == 2 && patch(edge.sides[0]) == patch(edge.sides[1])) continue;
-    for (const EdgeTable::Side& side : edge.sides) visit(patch(side), edge);
+    if (mesh.is_inside_patch(edge)) continue;
+    for (const EdgeTable::Side& side : edge.sides) visit(mesh.triangle_patch[side.triangle], edge);
   }
 }
 
 }  // namespace
 
-PatchBorders::PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges) : first_(mesh.patches.size() + 1, 0) {
-  for_each_border_edge(mesh, edges, [&](std::uint32_t patch, const EdgeTable::Edge&) { first_[patch + 1] += 2; });
+PatchBorders::PatchBorders(const TriangleMesh& mesh) : first_(mesh.patches.size() + 1, 0) {
+  for_each_border_edge(mesh, [&](std::uint32_t patch, const EdgeTable::Edge&) { first_[patch + 1] += 2; });
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   vertices_.resize(first_.back());
   last_.assign(first_.begin(), first_.end() - 1);
-  for_each_border_edge(mesh, edges, [&](std::uint32_t patch, const EdgeTable::Edge& edge) {
+  for_each_border_edge(mesh, [&](std::uint32_t patch, const EdgeTable::Edge& edge) {
     vertices_[last_[patch]++] = edge.low;
     vertices_[last_[patch]++] = edge.high;
   });

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
@@ -12,8 +11,8 @@ namespace raytube {
 /// The vertices on the border of each patch.
 class PatchBorders {
  public:
-  /// `edges` are those of the mesh.
-  PatchBorders(const TriangleMesh& mesh, const EdgeTable& edges);
+  /// Of a mesh that need not outlive it.
+  explicit PatchBorders(const TriangleMesh& mesh);
 
   /// Each once, in ascending order; the patch's extent in any direction is theirs.
   std::span<const std::uint32_t> operator[](std::uint32_t patch) const {

@@ -18,13 +18,7 @@ SurfaceProfiles::Section::Section(const Wedge& wedge, int side)
     : face(wedge.faces[side]), middle(0.5 * (wedge.start + wedge.end)), along(glm::cross(face.into_face, face.normal)) {}
 
 SurfaceProfiles::SurfaceProfiles(const TriangleMesh& mesh, double min_wedge_angle)
-    : mesh_(mesh),
-      min_wedge_angle_(min_wedge_angle),
-      edges_(mesh.triangles, mesh.vertices.size()),
-      borders_(mesh, edges_),
-      triangles_(mesh.patches.size()) {
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles_[mesh.triangle_patch[t]].push_back(t);
-}
+    : mesh_(mesh), min_wedge_angle_(min_wedge_angle), edges_(mesh.edges()), borders_(mesh) {}
 
 // The sides of a triangle that cross the plane, by the corner at which they begin. A corner in the plane counts as beyond it, so
 // that there are always two or none.
@@ -49,7 +43,7 @@ dvec2 SurfaceProfiles::crossing(const Section& section, std::uint32_t triangle, 
 SurfaceProfiles::Step SurfaceProfiles::first_step(const Section& section) const {
   Step best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t triangle : triangles_[section.face.patch]) {
+  for (const std::uint32_t triangle : mesh_.of_patch()[section.face.patch]) {
     const std::vector<int> sides = crossed_sides(section, triangle);
     for (std::size_t entry = 0; entry < sides.size(); ++entry) {
       const dvec2 from = crossing(section, triangle, sides[entry]);
@@ -67,7 +61,7 @@ SurfaceProfiles::Step SurfaceProfiles::next_step(const Section& section, const S
   const std::uint32_t shared = edges_.edge_of(step.triangle, step.exit);
   const EdgeTable::Edge edge = edges_[shared];
   if (edge.sides.size() != 2) return {};
-  const EdgeTable::Side& side = edge.sides[edge.sides[0].triangle == step.triangle ? 1 : 0];
+  const EdgeTable::Side& side = edge.beside(step.triangle);
   const bool turned = mesh_.triangles[side.triangle][side.corner] == mesh_.triangles[step.triangle][step.exit];
   for (const int exit : crossed_sides(section, side.triangle))
     if (edges_.edge_of(side.triangle, exit) != shared)
@@ -78,7 +72,7 @@ SurfaceProfiles::Step SurfaceProfiles::next_step(const Section& section, const S
 // The surface's change of direction from one triangle to the next, positive where it rises into the free space [rad].
 double SurfaceProfiles::bend(const Section& section, const Step& from, const Step& to) const {
   const auto normal = [&](const Step& step) {
-    const dvec3& front = mesh_.patches[mesh_.triangle_patch[step.triangle]].normal;
+    const dvec3& front = mesh_.patch_of(step.triangle).normal;
     return section.in_plane(step.back ? -front : front);
   };
   const dvec2 before = normal(from), after = normal(to);

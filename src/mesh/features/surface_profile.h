@@ -1,11 +1,8 @@
 // The cross-section of a surface beside an edge: how it goes on over facets that are narrower than some distance.
 #pragma once
 
-#include <vector>
-
 #include "mesh/features/patch_borders.h"
 #include "mesh/features/wedges.h"
-#include "mesh/model/edge_table.h"
 
 namespace raytube {
 
@@ -69,9 +66,8 @@ class SurfaceProfiles {
 
   const TriangleMesh& mesh_;
   double min_wedge_angle_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
   PatchBorders borders_;
-  std::vector<std::vector<std::uint32_t>> triangles_;  // of each patch
 };
 
 }  // namespace raytube

@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/point_tree.h"
 
 namespace raytube {
@@ -31,11 +30,11 @@ void find_near(const PointTree& tree, const dvec3& at, double distance, std::vec
 // Where patches end: edges at which anything but two triangles of one patch meet. Or, with `facets`, all edges.
 class Outline {
  public:
-  Outline(const TriangleMesh& mesh, bool facets) : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()) {
+  Outline(const TriangleMesh& mesh, bool facets) : mesh_(mesh), edges_(mesh.edges()) {
     std::vector<bool> used(mesh.vertices.size());
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const EdgeTable::Edge edge = edges_[e];
-      if (!facets && edge.sides.size() == 2 && patch(edge.sides[0]) == patch(edge.sides[1])) continue;
+      if (!facets && mesh.is_inside_patch(edge)) continue;
       ends_.push_back(e);
       used[edge.low] = used[edge.high] = true;
     }
@@ -51,7 +50,7 @@ class Outline {
 
  private:
   const TriangleMesh& mesh_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
   std::vector<std::size_t> ends_;
   std::vector<std::uint32_t> corners_;
 };

@@ -37,14 +37,10 @@ Wedge wedge_of(const TriangleMesh& mesh, const PatchBorders& borders, const Edge
 }  // namespace
 
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle) {
-  return find_wedges(mesh, EdgeTable(mesh.triangles, mesh.vertices.size()), min_wedge_angle);
-}
-
-std::vector<Wedge> find_wedges(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle) {
   std::vector<EdgeSector> sectors =
-      exposed_sectors(mesh, edges, [&](const EdgeSector& sector) { return is_wedge(mesh, sector, min_wedge_angle); });
+      exposed_sectors(mesh, [&](const EdgeSector& sector) { return is_wedge(mesh, sector, min_wedge_angle); });
   const double distance = flat_fraction * bounding_box(mesh.vertices).diagonal();
-  const PatchBorders borders(mesh, edges);
+  const PatchBorders borders(mesh);
   std::vector<Wedge> wedges;
   for (const EdgeSector& run : join_straight(mesh.vertices, std::move(sectors), distance))
     wedges.push_back(wedge_of(mesh, borders, run, distance));

@@ -66,7 +66,5 @@ struct Wedge {
 /// crease in an open surface two (n and 2 - n), and an edge where several open surfaces meet one per free sector. Collinear
 /// neighbours with the same faces merge. In the order of the mesh's edges, each run where its first edge stands.
 std::vector<Wedge> find_wedges(const TriangleMesh& mesh, double min_wedge_angle);
-/// The same where the edges of the mesh are known.
-std::vector<Wedge> find_wedges(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle);
 
 }  // namespace raytube

@@ -20,6 +20,9 @@ class EdgeTable {
   struct Edge {
     std::uint32_t low, high;      // vertices
     std::span<const Side> sides;  // in order of triangles
+
+    /// Of two sides, that of the other triangle.
+    const Side& beside(std::uint32_t triangle) const { return sides[sides[0].triangle == triangle ? 1 : 0]; }
   };
 
   /// Triangles index vertices below `vertex_count`.

@@ -5,7 +5,6 @@
 #include <map>
 #include <numeric>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
 
 namespace raytube {
@@ -19,10 +18,7 @@ constexpr std::size_t most_corners = 34;  // of two faces to be joined: bounds t
 class FaceFinder {
  public:
   explicit FaceFinder(const TriangleMesh& mesh)
-      : mesh_(mesh),
-        edges_(mesh.triangles, mesh.vertices.size()),
-        parents_(mesh.triangles.size()),
-        loops_(mesh.triangles.size()) {
+      : mesh_(mesh), edges_(mesh.edges()), parents_(mesh.triangles.size()), loops_(mesh.triangles.size()) {
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 
@@ -40,7 +36,7 @@ class FaceFinder {
   std::vector<bool> flat_patches() const {
     std::vector<bool> flat(mesh_.patches.size(), true);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Patch& plane = mesh_.patches[mesh_.triangle_patch[t]];
+      const Patch& plane = mesh_.patch_of(t);
       for (const std::uint32_t v : mesh_.triangles[t])
         if (std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset) > rounding * mesh_.radius)
           flat[mesh_.triangle_patch[t]] = false;
@@ -51,14 +47,13 @@ class FaceFinder {
   // A patch whose outline is one convex loop is one face, however it is cut into triangles: no joining by twos finds that where
   // vertices lie inside.
   void join_convex_patches(const std::vector<bool>& flat) {
-    std::vector<std::vector<std::uint32_t>> members(mesh_.patches.size());
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) members[mesh_.triangle_patch[t]].push_back(t);
-    for (std::uint32_t patch = 0; patch < members.size(); ++patch) {
-      if (!flat[patch] || members[patch].size() < 3) continue;
-      std::vector<std::uint32_t> outline = convex_outline(members[patch], mesh_.patches[patch].normal);
+    for (std::uint32_t patch = 0; patch < mesh_.patches.size(); ++patch) {
+      const std::span<const std::uint32_t> members = mesh_.of_patch()[patch];
+      if (!flat[patch] || members.size() < 3) continue;
+      std::vector<std::uint32_t> outline = convex_outline(members, mesh_.patches[patch].normal);
       if (outline.empty()) continue;
-      for (const std::uint32_t t : members[patch]) parents_[t] = members[patch][0];
-      loops_[members[patch][0]] = std::move(outline);
+      for (const std::uint32_t t : members) parents_[t] = members[0];
+      loops_[members[0]] = std::move(outline);
     }
   }
 
@@ -98,12 +93,7 @@ class FaceFinder {
   double length(const EdgeTable::Edge& edge) const { return glm::distance(mesh_.vertices[edge.low], mesh_.vertices[edge.high]); }
 
   // Between two triangles of one patch that run along this edge in opposite senses.
-  bool goes_on(const EdgeTable::Edge& edge) const {
-    const auto& sides = edge.sides;
-    if (sides.size() != 2 || mesh_.triangle_patch[sides[0].triangle] != mesh_.triangle_patch[sides[1].triangle]) return false;
-    const auto starts_at = [&](int s) { return mesh_.triangles[sides[s].triangle][sides[s].corner]; };
-    return starts_at(0) != starts_at(1);
-  }
+  bool goes_on(const EdgeTable::Edge& edge) const { return mesh_.is_inside_patch(edge) && mesh_.is_surface(edge); }
 
   // Edges inside patches, longest first.
   std::vector<std::size_t> inner_edges() const {
@@ -123,7 +113,7 @@ class FaceFinder {
     std::vector<std::uint32_t> one = turned_to_end_at(loop(a), start),
                                other = turned_to_end_at(loop(b), edge.low + edge.high - start);
     drop_shared_chain(one, other);
-    const dvec3& normal = mesh_.patches[mesh_.triangle_patch[edge.sides[0].triangle]].normal;
+    const dvec3& normal = mesh_.patch_of(edge.sides[0].triangle).normal;
     if (turn(one[one.size() - 2], one.back(), other[1], normal) == Turn::right) return false;
     if (turn(other[other.size() - 2], other.back(), one[1], normal) == Turn::right) return false;
     one.pop_back();
@@ -197,7 +187,7 @@ class FaceFinder {
   }
 
   const TriangleMesh& mesh_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
   std::vector<std::uint32_t> parents_;             // faces joined so far, by their lowest triangle
   std::vector<std::vector<std::uint32_t>> loops_;  // corners of the face of that triangle, if it is not that triangle alone
 };

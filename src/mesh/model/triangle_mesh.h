@@ -9,11 +9,15 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/field.h"
+#include "mesh/model/edge_table.h"
+#include "mesh/model/made_once.h"
+#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -57,6 +61,35 @@ struct TriangleMesh {
   double radius = 0.0;                                  // largest distance of a vertex from `center`
   double coordinate_step = 0.0;                         // by which its file rounds coordinates [m]
 
+  /// Its edges. Like the rows below they are made when they are first asked for, once; triangles stay as they are from then on.
+  const EdgeTable& edges() const {
+    return edges_.get([&] { return EdgeTable(triangles, vertices.size()); });
+  }
+  /// The triangles at each vertex, in ascending order.
+  const TriangleRows& at_vertex() const {
+    return at_vertex_.get([&] { return triangle_rows(vertices.size(), triangles, std::identity()); });
+  }
+  /// The triangles of each patch, in ascending order.
+  const TriangleRows& of_patch() const {
+    return of_patch_.get(
+        [&] { return triangle_rows(patches.size(), triangle_patch, [](std::uint32_t p) { return std::array{p}; }); });
+  }
+
+  /// Whether two triangles of one patch, and no others, meet at an edge.
+  bool is_inside_patch(const EdgeTable::Edge& edge) const {
+    return edge.sides.size() == 2 && triangle_patch[edge.sides[0].triangle] == triangle_patch[edge.sides[1].triangle];
+  }
+  /// Whether one surface goes on across an edge: of two triangles that run along it in opposite senses.
+  bool is_surface(const EdgeTable::Edge& edge) const {
+    return edge.sides.size() == 2 && !is_turned(edge.sides[0], edge.sides[1]);
+  }
+  /// Whether two sides of an edge run along it in the same sense: the fronts of their triangles are on different sides.
+  bool is_turned(const EdgeTable::Side& a, const EdgeTable::Side& b) const {
+    return triangles[a.triangle][a.corner] == triangles[b.triangle][b.corner];
+  }
+
+  /// The patch that a triangle is part of.
+  const Patch& patch_of(std::uint32_t triangle) const { return patches[triangle_patch[triangle]]; }
   /// Whether a triangle is part of a closed component.
   bool closed(std::uint32_t triangle) const { return components[triangle_component[triangle]].closed; }
   /// Whether the edge between two vertices is among the bends.
@@ -64,6 +97,10 @@ struct TriangleMesh {
     const auto ends = [](const Bend& bend) { return std::pair(bend.low, bend.high); };
     return std::ranges::binary_search(bends, std::pair(std::min(a, b), std::max(a, b)), {}, ends);
   }
+
+ private:
+  MadeOnce<EdgeTable> edges_;
+  MadeOnce<TriangleRows> at_vertex_, of_patch_;
 };
 
 /// One line of the mesh report: what was found or mended, and how many facets, vertices or edges it concerned.

@@ -82,8 +82,7 @@ struct EdgeCount {
   std::uint64_t open = 0, non_manifold = 0, badly_wound = 0;
 };
 
-EdgeCount count_edges(std::span<const Triangle> triangles, std::size_t vertex_count) {
-  const EdgeTable edges(triangles, vertex_count);
+EdgeCount count_edges(const EdgeTable& edges, std::span<const Triangle> triangles) {
   const auto starts_low = [&](const EdgeTable::Edge& edge, int i) {
     return triangles[edge.sides[i].triangle][edge.sides[i].corner] == edge.low;
   };
@@ -102,7 +101,7 @@ void report_as_read(std::span<const dvec3> vertices, std::span<const Triangle> t
   std::vector<Triangle> solid;
   const double rounding = 1e-3 * report.weld_distance;
   std::ranges::copy_if(triangles, std::back_inserter(solid), [&](const Triangle& t) { return height(vertices, t) > rounding; });
-  const EdgeCount count = count_edges(solid, vertices.size());
+  const EdgeCount count = count_edges(EdgeTable(solid, vertices.size()), solid);
   report.open_edges_read = count.open;
   report.non_manifold_edges_read = count.non_manifold;
   report.badly_wound_edges_read = count.badly_wound;
@@ -121,7 +120,7 @@ void open_penetrable_components(TriangleMesh& mesh, const Facets& facets, std::s
 }
 
 void report_as_traced(const TriangleMesh& mesh, MeshReport& report) {
-  const EdgeCount count = count_edges(mesh.triangles, mesh.vertices.size());
+  const EdgeCount count = count_edges(mesh.edges(), mesh.triangles);
   report.open_edges = count.open;
   report.non_manifold_edges = count.non_manifold;
   report.triangles_traced = mesh.triangles.size();

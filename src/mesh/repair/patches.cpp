@@ -74,8 +74,7 @@ struct Beside {
 
 class PatchFinder {
  public:
-  PatchFinder(TriangleMesh& mesh, double distance)
-      : mesh_(mesh), edges_(mesh.triangles, mesh.vertices.size()), distance_(distance) {}
+  PatchFinder(TriangleMesh& mesh, double distance) : mesh_(mesh), edges_(mesh.edges()), distance_(distance) {}
 
   void run() {
     mesh_.patches.clear();
@@ -307,7 +306,7 @@ class PatchFinder {
   }
 
   TriangleMesh& mesh_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
   double distance_;
   std::vector<std::uint32_t> queue_;  // of a patch that grows
 };

@@ -66,8 +66,8 @@ struct Section {
 
 class BendFinder {
  public:
-  BendFinder(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle)
-      : mesh_(mesh), min_wedge_angle_(min_wedge_angle), edges_(edges) {}
+  BendFinder(const TriangleMesh& mesh, double min_wedge_angle)
+      : mesh_(mesh), min_wedge_angle_(min_wedge_angle), edges_(mesh.edges()) {}
 
   std::vector<Bend> find() const {
     const double flattest = std::cos(min_wedge_angle_), steepest = std::cos(most_bend);
@@ -76,28 +76,18 @@ class BendFinder {
       const EdgeTable::Edge edge = edges_[e];
       if (edge.sides.size() != 2) continue;
       const double cosine = glm::dot(normal(edge.sides[0]), normal(edge.sides[1]));
-      if (cosine <= flattest && cosine >= steepest && is_surface(edge) && is_bend(edge))
+      if (cosine <= flattest && cosine >= steepest && mesh_.is_surface(edge) && is_bend(edge))
         bends.push_back({edge.low, edge.high, std::acos(cosine)});
     }
     return bends;
   }
 
  private:
-  const dvec3& normal(const EdgeTable::Side& side) const { return mesh_.patches[mesh_.triangle_patch[side.triangle]].normal; }
-
-  bool is_surface(const EdgeTable::Edge& edge) const {
-    if (edge.sides.size() != 2) return false;
-    const EdgeTable::Side &a = edge.sides[0], &b = edge.sides[1];
-    return mesh_.triangles[a.triangle][a.corner] != mesh_.triangles[b.triangle][b.corner];
-  }
-
-  const EdgeTable::Side& other(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
-    return edge.sides[edge.sides[0].triangle == side.triangle ? 1 : 0];
-  }
+  const dvec3& normal(const EdgeTable::Side& side) const { return mesh_.patch_of(side.triangle).normal; }
 
   // Between the facets, above zero where the surface is convex [rad].
   double turn(const EdgeTable::Edge& edge, const EdgeTable::Side& from) const {
-    const EdgeTable::Side& to = other(edge, from);
+    const EdgeTable::Side& to = edge.beside(from.triangle);
     const dvec3& tip = mesh_.vertices[mesh_.triangles[to.triangle][(to.corner + 2) % 3]];
     const double angle = angle_between(normal(from), normal(to));
     return glm::dot(normal(from), tip - mesh_.vertices[edge.low]) < 0.0 ? angle : -angle;
@@ -137,7 +127,7 @@ class BendFinder {
 
   Step step_over(const Section& section, const EdgeTable::Edge& edge, const EdgeTable::Side& from, double distance) const {
     const double whole = turn(edge, from);
-    const double part = angle_between(section.in_plane(normal(from)), section.in_plane(normal(other(edge, from))));
+    const double part = angle_between(section.in_plane(normal(from)), section.in_plane(normal(edge.beside(from.triangle))));
     return {distance, std::copysign(part, whole), std::abs(whole) >= min_wedge_angle_};
   }
 
@@ -154,8 +144,8 @@ class BendFinder {
       const EdgeTable::Edge edge = edges_[edges_.edge_of(exit.triangle, static_cast<int>(exit.corner))];
       const dvec3 next = crossing(section, edge);
       distance += glm::distance(at, next) / unit;
-      if (distance > longest || !is_surface(edge)) break;
-      side = other(edge, exit);
+      if (distance > longest || !mesh_.is_surface(edge)) break;
+      side = edge.beside(exit.triangle);
       at = next;
       if (mesh_.triangle_patch[exit.triangle] == mesh_.triangle_patch[side.triangle]) continue;
       if (steps.empty() && distance > furthest) break;
@@ -172,8 +162,8 @@ class BendFinder {
 
 }  // namespace
 
-std::vector<Bend> find_bends(const TriangleMesh& mesh, const EdgeTable& edges, double min_wedge_angle) {
-  return BendFinder(mesh, edges, min_wedge_angle).find();
+std::vector<Bend> find_bends(const TriangleMesh& mesh, double min_wedge_angle) {
+  return BendFinder(mesh, min_wedge_angle).find();
 }
 
 }  // namespace raytube

@@ -127,7 +127,7 @@ class Finder {
   };
 
   Across look_across(const EdgeTable::Edge& edge, const EdgeTable::Side& own, const EdgeTable::Side& other) const {
-    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[own.triangle]].normal;
+    const dvec3& plane = mesh_.patch_of(own.triangle).normal;
     const dvec3 start = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - start);
     const dvec3 to_tip = mesh_.vertices[mesh_.triangles[other.triangle][(other.corner + 2) % 3]] - start;
     const dvec3 direction = to_tip - glm::dot(to_tip, along) * along;
@@ -169,7 +169,7 @@ class Finder {
     const Triangle& t = mesh_.triangles[corner / 3];
     const auto side_to = [&](std::uint32_t i) { return mesh_.vertices[t[(corner + i) % 3]] - mesh_.vertices[t[corner % 3]]; };
     const dvec3 a = side_to(1), b = side_to(2), area = glm::cross(a, b);
-    const dvec3& plane = mesh_.patches[mesh_.triangle_patch[corner / 3]].normal;
+    const dvec3& plane = mesh_.patch_of(corner / 3).normal;
     const double size = glm::length(area);
     return (glm::dot(area, plane) > least_agreement * size ? area : size * plane) / (glm::dot(a, a) * glm::dot(b, b));
   }

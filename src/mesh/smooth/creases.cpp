@@ -14,18 +14,15 @@ namespace {
 // Flatter creases are the rounding of coordinates.
 constexpr double least_crease = 1e-6;
 
-const dvec3& patch_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
-  return mesh.patches[mesh.triangle_patch[triangle]].normal;
-}
-
 bool is_one_plane(const Patch& a, const Patch& b) { return a.normal == b.normal && a.offset == b.offset; }
 
 // For each patch a number in common with those that it would be one patch with if all were made of the same.
-std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh, const EdgeTable& edges) {
+std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parents(mesh.patches.size());
   std::iota(parents.begin(), parents.end(), 0u);
   const auto is_first_material = [&](const Patch& patch) { return patch.material == mesh.patches[0].material; };
   if (std::ranges::all_of(mesh.patches, is_first_material)) return parents;
+  const EdgeTable& edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].sides.size() != 2) continue;
     const std::uint32_t a = mesh.triangle_patch[edges[e].sides[0].triangle], b = mesh.triangle_patch[edges[e].sides[1].triangle];
@@ -61,8 +58,8 @@ std::vector<std::uint32_t> hull_of(const std::vector<dvec3>& vertices, std::vect
 }
 
 // The points on the borders of the patches of each plane.
-PlaneOutlines borders_of(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<std::uint32_t>& plane) {
-  const PatchBorders borders(mesh, edges);
+PlaneOutlines borders_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& plane) {
+  const PatchBorders borders(mesh);
   PlaneOutlines found{std::vector<std::uint32_t>(plane.empty() ? 1 : *std::ranges::max_element(plane) + 2, 0), {}};
   for (std::uint32_t patch = 0; patch < plane.size(); ++patch)
     found.first[plane[patch] + 1] += static_cast<std::uint32_t>(borders[patch].size());
@@ -74,8 +71,8 @@ PlaneOutlines borders_of(const TriangleMesh& mesh, const EdgeTable& edges, const
   return found;
 }
 
-PlaneOutlines outlines_of(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<std::uint32_t>& plane) {
-  const PlaneOutlines borders = borders_of(mesh, edges, plane);
+PlaneOutlines outlines_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& plane) {
+  const PlaneOutlines borders = borders_of(mesh, plane);
   std::vector<std::uint32_t> patch_of(borders.first.size() - 1);
   for (std::uint32_t patch = 0; patch < plane.size(); ++patch) patch_of[plane[patch]] = patch;
   PlaneOutlines outlines{{0}, {}};
@@ -96,21 +93,15 @@ PlaneOutlines outlines_of(const TriangleMesh& mesh, const EdgeTable& edges, cons
 }  // namespace
 
 Creases::Creases(const TriangleMesh& mesh, double max_turn)
-    : mesh_(mesh),
-      edges_(mesh.triangles, mesh.vertices.size()),
-      plane_(uncut_patches(mesh, edges_)),
-      outlines_(outlines_of(mesh, edges_, plane_)),
-      crossable_(edges_.size()) {
+    : mesh_(mesh), plane_(uncut_patches(mesh)), outlines_(outlines_of(mesh, plane_)), crossable_(mesh.edges().size()) {
   find_crossable(std::cos(max_turn));
 }
 
 void Creases::find_crossable(double least_cosine) {
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const EdgeTable::Edge edge = edges_[e];
-    if (edge.sides.size() != 2) continue;
-    const auto [a, b] = std::pair(edge.sides[0], edge.sides[1]);
-    if (mesh_.triangles[a.triangle][a.corner] == mesh_.triangles[b.triangle][b.corner]) continue;
-    const double cosine = glm::dot(patch_normal(mesh_, a.triangle), patch_normal(mesh_, b.triangle));
+  for (std::size_t e = 0; e < edges().size(); ++e) {
+    const EdgeTable::Edge edge = edges()[e];
+    if (!mesh_.is_surface(edge)) continue;
+    const double cosine = glm::dot(mesh_.patch_of(edge.sides[0].triangle).normal, mesh_.patch_of(edge.sides[1].triangle).normal);
     const bool bends = mesh_.is_bend(edge.low, edge.high);
     crossable_[e] = bends || cosine > least_cosine;
     if (bends) continue;
@@ -123,7 +114,7 @@ void Creases::find_crossable(double least_cosine) {
 
 bool Creases::is_crease(const EdgeTable::Edge& edge) const {
   const EdgeTable::Side &a = edge.sides[0], &b = edge.sides[1];
-  return glm::length(patch_normal(mesh_, a.triangle) - patch_normal(mesh_, b.triangle)) > least_crease;
+  return glm::length(mesh_.patch_of(a.triangle).normal - mesh_.patch_of(b.triangle).normal) > least_crease;
 }
 
 double Creases::width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {

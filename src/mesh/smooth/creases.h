@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
@@ -21,7 +20,7 @@ class Creases {
   Creases(const TriangleMesh& mesh, double max_turn);
 
   /// Those of the mesh.
-  const EdgeTable& edges() const { return edges_; }
+  const EdgeTable& edges() const { return mesh_.edges(); }
 
   /// Cosine of the steepest turn between two triangles that a smooth surface may go on across, bends left out.
   double steepest_crossed() const { return steepest_crossed_; }
@@ -50,7 +49,6 @@ class Creases {
 
   const TriangleMesh& mesh_;
   double steepest_crossed_ = std::numeric_limits<double>::infinity(), flattest_left_ = -steepest_crossed_;
-  EdgeTable edges_;
   std::vector<std::uint32_t> plane_;  // of each patch
   PlaneOutlines outlines_;
   std::vector<bool> crossable_;

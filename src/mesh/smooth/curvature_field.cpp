@@ -31,7 +31,7 @@ CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& s
 // Least squares over the three sides: the turn along each is the difference of the normals at its ends.
 glm::dmat3 CurvatureField::of_facet(std::uint32_t triangle) const {
   const Triangle& corners = mesh_.triangles[triangle];
-  const dvec3 plane = mesh_.patches[mesh_.triangle_patch[triangle]].normal;
+  const dvec3 plane = mesh_.patch_of(triangle).normal;
   const dvec3 u = glm::normalize(mesh_.vertices[corners[1]] - mesh_.vertices[corners[0]]), v = glm::cross(plane, u);
   glm::dmat3 left(0.0);
   dvec3 right(0.0);

@@ -83,7 +83,7 @@ std::shared_ptr<const SmoothSurfaces::Chords> SmoothSurfaces::find_chords(const 
 void SmoothSurfaces::add_tips(const std::vector<double>& least_cosines) {
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int corner = 0; corner < 3; ++corner)
-      if (glm::dot(mesh_.patches[mesh_.triangle_patch[t]].normal, normal(t, corner)) < least_cosines[mesh_.triangles[t][corner]])
+      if (glm::dot(mesh_.patch_of(t).normal, normal(t, corner)) < least_cosines[mesh_.triangles[t][corner]])
         one_sided_[normal_index(t, corner)] = true;
 }
 
@@ -95,7 +95,7 @@ void SmoothSurfaces::keep_components(const std::vector<bool>& kept) {
 
 void SmoothSurfaces::flatten(const std::vector<bool>& materials) {
   for (std::uint32_t t = 0; t < region_.size(); ++t) {
-    const std::uint32_t material = mesh_.patches[mesh_.triangle_patch[t]].material;
+    const std::uint32_t material = mesh_.patch_of(t).material;
     if (material != no_index && materials[material]) region_[t] = no_index;
   }
   count_facets();
@@ -113,7 +113,7 @@ void SmoothSurfaces::count_facets() {
 void SmoothSurfaces::find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane,
                                   Chords& chords) {
   const auto bends = [&](std::uint32_t t) { return !is_plane[creases.plane(t)]; };
-  const auto material = [&](std::uint32_t t) { return mesh.patches[mesh.triangle_patch[t]].material; };
+  const auto material = [&](std::uint32_t t) { return mesh.patch_of(t).material; };
   chords.boundary.assign(3 * mesh.triangles.size(), true);
   std::vector<std::uint32_t> parents(mesh.triangles.size());
   for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = i;
@@ -240,7 +240,7 @@ BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
 }
 
 LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {
-  const Patch& patch = mesh_.patches[mesh_.triangle_patch[triangle]];
+  const Patch& patch = mesh_.patch_of(triangle);
   const BentFacet s = facet(triangle);
   const std::optional<dvec2> l = meet(s, origin, direction);
   if (!l) return facet_plane(patch, origin, direction);

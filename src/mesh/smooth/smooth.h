@@ -94,7 +94,7 @@ class SmoothSurfaces {
 
   /// Whether a triangle is part of a surface that is a perfect conductor.
   bool conducts(std::uint32_t triangle) const {
-    return region_[triangle] != no_index && mesh_.patches[mesh_.triangle_patch[triangle]].material == no_index;
+    return region_[triangle] != no_index && mesh_.patch_of(triangle).material == no_index;
   }
 
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.

@@ -5,8 +5,6 @@
 #include <map>
 #include <numeric>
 
-#include "mesh/model/edge_table.h"
-
 namespace raytube {
 
 namespace {
@@ -34,7 +32,7 @@ Border free_edges(const EdgeTable& edges, std::vector<std::uint32_t>& triangles)
 // Edges of one component that hang together are one border.
 void add_borders(const TriangleMesh& mesh, std::vector<OpenComponent>& components) {
   std::vector<std::uint32_t> triangles;
-  const Border free = free_edges(EdgeTable(mesh.triangles, mesh.vertices.size()), triangles);
+  const Border free = free_edges(mesh.edges(), triangles);
   std::vector<std::uint32_t> parents(mesh.vertices.size());
   std::iota(parents.begin(), parents.end(), 0u);
   for (const auto& [low, high] : free) parents[find_root(parents, low)] = find_root(parents, high);
@@ -48,10 +46,10 @@ std::vector<OpenComponent> components_of(const TriangleMesh& mesh, const std::ve
                                          std::span<const Material> materials) {
   std::vector<OpenComponent> components(mesh.components.size());
   for (std::size_t c = 0; c < components.size(); ++c) components[c].body = !mesh.components[c].closed && !enclosed[c];
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     OpenComponent& component = components[mesh.triangle_component[t]];
     component.area += 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
-    const std::uint32_t material = mesh.patches[mesh.triangle_patch[t]].material;
+    const std::uint32_t material = mesh.patch_of(t).material;
     if (material < materials.size() && materials[material].transmits()) component.body = false;
   }
   return components;

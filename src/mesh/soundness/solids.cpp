@@ -14,10 +14,6 @@ namespace raytube {
 
 namespace {
 
-std::uint32_t material_of(const TriangleMesh& mesh, std::uint32_t triangle) {
-  return mesh.patches[mesh.triangle_patch[triangle]].material;
-}
-
 // Inside of a conductor or an absorber nothing is asked of layers.
 bool may_stand_inside(std::span<const Material> materials, std::uint32_t material) {
   return material == no_index || (materials[material].roughness == 0.0 && (materials[material].kind == MaterialKind::conductor ||
@@ -28,7 +24,7 @@ bool may_stand_inside(std::span<const Material> materials, std::uint32_t materia
 std::vector<std::uint32_t> solids_of(const TriangleMesh& mesh, std::span<const Material> materials) {
   std::vector<std::uint32_t> solids(mesh.components.size(), no_index);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    if (is_solid(materials, material_of(mesh, t))) solids[mesh.triangle_component[t]] = material_of(mesh, t);
+    if (is_solid(materials, mesh.patch_of(t).material)) solids[mesh.triangle_component[t]] = mesh.patch_of(t).material;
   return solids;
 }
 
@@ -42,7 +38,7 @@ void check_whole_bodies(const TriangleMesh& mesh, std::span<const Material> mate
           fmt::format("material \"{}\" of kind \"solid\" is on a surface that is not closed, so that it fills nothing; "
                       "close the mesh there, or write kind = \"sheet\" or \"dielectric\"",
                       name));
-    if (material_of(mesh, t) != solid)
+    if (mesh.patch_of(t).material != solid)
       throw InputError(
           fmt::format("material \"{}\" of kind \"solid\" is on a part of a body only; give it to all of the body, or "
                       "write kind = \"coated\" or \"dielectric\"",
@@ -73,7 +69,7 @@ void check_contacts(const FaceTree& faces, std::span<const Material> materials, 
   throw InputError(
       fmt::format("a body of {}, with a corner at ({:.6g}, {:.6g}, {:.6g}) m, touches one of kind \"solid\", \"{}\", or runs "
                   "through it; leave a gap between them, for which a hundredth of a wavelength will do",
-                  material_text(materials, material_of(mesh, contact->first)), at.x, at.y, at.z,
+                  material_text(materials, mesh.patch_of(contact->first).material), at.x, at.y, at.z,
                   quotable(materials[solids[mesh.triangle_component[contact->second]]].name)));
 }
 
@@ -81,7 +77,7 @@ void check_contacts(const FaceTree& faces, std::span<const Material> materials, 
 void check_inside(const TriangleMesh& mesh, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
   std::vector<bool> seen(mesh.components.size() * (materials.size() + 1), false);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t own = mesh.triangle_component[t], material = material_of(mesh, t);
+    const std::uint32_t own = mesh.triangle_component[t], material = mesh.patch_of(t).material;
     if (may_stand_inside(materials, material)) continue;
     if (seen[own * (materials.size() + 1) + material]) continue;
     seen[own * (materials.size() + 1) + material] = true;

@@ -30,9 +30,9 @@ ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
       // Facets of either patch are off its plane by a fraction of the diagonal, which is at most 2 sqrt(3) times the radius.
       plane_uncertainty_(2.0 * flat_fraction * 2.0 * std::numbers::sqrt3 * mesh.radius),
       tree_(mesh),
-      at_vertex_(triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity())),
-      of_patch_(triangle_rows(mesh.patches.size(), mesh.triangle_patch, [](std::uint32_t patch) { return std::array{patch}; })),
-      near_coincident_(mesh, tree_, at_vertex_, depth_uncertainty * mesh.radius, narrow_angle) {
+      at_vertex_(mesh.at_vertex()),
+      of_patch_(mesh.of_patch()),
+      near_coincident_(mesh, tree_, depth_uncertainty * mesh.radius, narrow_angle) {
   for (std::uint32_t vertex = 0; vertex < at_vertex_.size(); ++vertex) {
     if (!is_long(at_vertex_[vertex])) continue;
     std::vector<std::uint32_t>& patches = patches_at_[vertex];

@@ -8,7 +8,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "mesh/model/triangle_rows.h"
 #include "mesh/model/triangle_tree.h"
 #include "mesh/trace/near_coincident.h"
 #include "mesh/trace/ray.h"
@@ -114,7 +113,7 @@ class ExactHit {
   double edge_uncertainty_;
   double plane_uncertainty_;  // of the height of a facet of one patch over the plane of another patch beside it [m]
   TriangleTree tree_;
-  TriangleRows at_vertex_, of_patch_;
+  const TriangleRows &at_vertex_, &of_patch_;
   NearCoincident near_coincident_;
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> patches_at_;  // of vertices with long lists, ascending
 };

@@ -138,12 +138,12 @@ class Corner {
 
 class PairFinder {
  public:
-  PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance, double narrow)
+  PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow)
       : mesh_(mesh), distance_(distance), corner_(narrow) {
     const auto are_close = [&](std::uint32_t a, std::uint32_t b) { return !are_apart(corners(a), corners(b), distance_); };
     for (const auto& [a, b] : tree.close_pairs(distance, are_close)) add(a, b);
-    for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) look_round(vertex, at_vertex[vertex]);
-    const EdgeTable edges(mesh.triangles, mesh.vertices.size());
+    for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) look_round(vertex, mesh.at_vertex()[vertex]);
+    const EdgeTable& edges = mesh.edges();
     for (std::size_t e = 0; e < edges.size(); ++e) look_along(edges[e]);
   }
 
@@ -235,10 +235,9 @@ bool lie_upon_one_another(const Corners& a, const Corners& b, double distance) {
   return true;
 }
 
-NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
-                               double narrow)
+NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow)
     : first_(mesh.triangles.size() + 1, 0) {
-  auto pairs = std::move(PairFinder(mesh, tree, at_vertex, distance, narrow).pairs);
+  auto pairs = std::move(PairFinder(mesh, tree, distance, narrow).pairs);
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   for (const auto& [triangle, other] : pairs) ++first_[triangle + 1], others_.push_back(other);

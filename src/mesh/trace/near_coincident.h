@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mesh/model/triangle_mesh.h"
-#include "mesh/model/triangle_rows.h"
 #include "mesh/model/triangle_tree.h"
 
 namespace raytube {
@@ -19,10 +18,8 @@ bool lie_upon_one_another(const std::array<dvec3, 3>& a, const std::array<dvec3,
 /// two a ray meets first, however far from all edges.
 class NearCoincident {
  public:
-  /// `tree` and `at_vertex`, its triangles, are the mesh's; `distance` in metres, `narrow` in radians. May list triangles that
-  /// are a little further apart.
-  NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, const TriangleRows& at_vertex, double distance,
-                 double narrow);
+  /// `tree` is the mesh's; `distance` in metres, `narrow` in radians. May list triangles that are a little further apart.
+  NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow);
 
   /// The near-coincident triangles of one, in ascending order.
   std::span<const std::uint32_t> operator[](std::uint32_t triangle) const {

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/model/geometry.h"
-#include "mesh/model/triangle_rows.h"
 
 namespace raytube {
 
@@ -46,14 +43,10 @@ struct BorderCorner {
 class Proxy {
  public:
   Proxy(const TriangleMesh& mesh, double margin)
-      : mesh_(mesh),
-        margin_(margin),
-        edges_(mesh.triangles, mesh.vertices.size()),
-        place_(number_places()),
-        border_corners_(places_) {
+      : mesh_(mesh), margin_(margin), edges_(mesh.edges()), place_(number_places()), border_corners_(places_) {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (const EdgeTable::Side& side : edges_[e].sides)
-        if (!is_inside_patch(edges_[e])) add_border(side);
+        if (!mesh.is_inside_patch(edges_[e])) add_border(side);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       if (is_flat(all_.triangles[t])) make_rectangle(t);
@@ -63,10 +56,6 @@ class Proxy {
   ProxyTriangles all() { return std::move(all_); }
 
  private:
-  bool is_inside_patch(const EdgeTable::Edge& edge) const {
-    return edge.sides.size() == 2 && patch(edge.sides[0].triangle) == patch(edge.sides[1].triangle);
-  }
-
   void add_border(const EdgeTable::Side& side) {
     const dvec3 outwards = away_from(side);
     for (const std::uint32_t corner : {side.corner, (side.corner + 1) % 3})
@@ -101,7 +90,7 @@ class Proxy {
   }
 
   void add_strips(const EdgeTable::Edge& edge) {
-    if (is_inside_patch(edge)) return;
+    if (mesh_.is_inside_patch(edge)) return;
     for (const EdgeTable::Side& side : edge.sides) {
       const auto stays = [&](std::uint32_t corner) { return stays_[place_[3 * std::size_t{side.triangle} + corner % 3]]; };
       if (stays(side.corner) || stays(side.corner + 1)) add_strip(edge, side.triangle, away_from(side));
@@ -166,11 +155,10 @@ class Proxy {
   // Of each corner of each triangle the first one at its vertex in its patch.
   std::vector<std::uint32_t> first_corners() const {
     std::vector<std::uint32_t> first(3 * mesh_.triangles.size());
-    const TriangleRows at_vertex = triangle_rows(mesh_.vertices.size(), mesh_.triangles, std::identity());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> corners;  // patch, corner
-    for (std::uint32_t vertex = 0; vertex < at_vertex.size(); ++vertex) {
+    for (std::uint32_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) {
       corners.clear();
-      for (const std::uint32_t t : at_vertex[vertex]) {
+      for (const std::uint32_t t : mesh_.at_vertex()[vertex]) {
         const auto k = std::ranges::find(mesh_.triangles[t], vertex) - mesh_.triangles[t].begin();
         corners.emplace_back(patch(t), 3 * t + static_cast<std::uint32_t>(k));
       }
@@ -187,7 +175,7 @@ class Proxy {
 
   const TriangleMesh& mesh_;
   double margin_;
-  EdgeTable edges_;
+  const EdgeTable& edges_;
   std::uint32_t places_ = 0;
   std::vector<std::uint32_t> place_;          // of each corner of each triangle
   std::vector<BorderCorner> border_corners_;  // by place

@@ -231,7 +231,7 @@ class CellTrace {
 
   Affine facet_depth(const FacingTriangle& f) const {
     const TriangleMesh& mesh = look_.faces.mesh();
-    return depth_of(incident_, mesh.patches[mesh.triangle_patch[f.triangle]]);
+    return depth_of(incident_, mesh.patch_of(f.triangle));
   }
 
   // Fills clipped_ with the part of the triangle in the box.
@@ -394,7 +394,7 @@ CurvedLook::CurvedLook(const TubeLook& look) : look_(look) {
   std::vector<dvec2> projected;
   for (const dvec3& r : mesh.vertices) projected.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double towards = glm::dot(mesh.patches[mesh.triangle_patch[t]].normal, look.grid.direction);
+    const double towards = glm::dot(mesh.patch_of(t).normal, look.grid.direction);
     if (towards > -edge_on && (towards < edge_on || mesh.closed(t))) continue;
     const Triangle& corners = mesh.triangles[t];
     facing_.push_back({t, look.smooth->region(t), {projected[corners[0]], projected[corners[1]], projected[corners[2]]}});

@@ -162,7 +162,7 @@ class CurvedTubes {
 
   // The curved surface unless it would send the tube into the facet; else the facet's plane.
   LocalSurface surface(const CurvedBeam& beam, std::uint32_t triangle) const {
-    const Patch& patch = look_.tracer.mesh().patches[look_.tracer.mesh().triangle_patch[triangle]];
+    const Patch& patch = look_.tracer.mesh().patch_of(triangle);
     const double facing = glm::dot(patch.normal, beam.direction);
     if (look_.smooth->region(triangle) != no_index) {
       const LocalSurface curved = look_.smooth->at(beam.base, beam.direction, triangle);

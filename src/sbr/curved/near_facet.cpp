@@ -86,7 +86,7 @@ BentFacet NearFacets::seen(std::uint32_t triangle) const {
 
 std::uint32_t NearFacets::material(std::uint32_t triangle) const {
   const TriangleMesh& mesh = look_.tracer.mesh();
-  return mesh.patches[mesh.triangle_patch[triangle]].material;
+  return mesh.patch_of(triangle).material;
 }
 
 ConvexPolygon NearFacets::outline_of(const BentFacet& facet) const {

@@ -24,7 +24,7 @@ void add_with_sheets(const TubeLook& look, std::span<const VisiblePart> parts, B
 
 bool is_sheet(const TubeLook& look, std::uint32_t triangle) {
   const TriangleMesh& mesh = look.faces.mesh();
-  return look.surfaces.transmits(mesh.patches[mesh.triangle_patch[triangle]].material);
+  return look.surfaces.transmits(mesh.patch_of(triangle).material);
 }
 
 // What the antenna sees of some faces, curved ones and sheets.

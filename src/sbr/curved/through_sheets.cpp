@@ -15,7 +15,7 @@ bool looks_from_elsewhere(const TubeLook& look) {
 CurvedPiece piece_over(const TubeLook& look, const dvec2& at, std::uint32_t triangle) {
   const LaunchGrid& grid = look.grid;
   const TriangleMesh& mesh = look.faces.mesh();
-  const Patch& patch = mesh.patches[mesh.triangle_patch[triangle]];
+  const Patch& patch = mesh.patch_of(triangle);
   const dvec3 above = grid.plane_origin + at.x * grid.u_hat + at.y * grid.v_hat;
   return {grid, look.smooth->at(above, grid.direction, triangle), patch.material, glm::dot(patch.normal, grid.direction) > 0.0};
 }

@@ -122,7 +122,7 @@ struct FaceTrace {
     const std::uint32_t triangle = hits_[ray].triangle;
     if (!hits_[ray]) return;
     const TriangleMesh& mesh = look_.faces.mesh();
-    if (mesh.closed(triangle) && facing(beams_.beam(tube.beam), mesh.patches[mesh.triangle_patch[triangle]]) > 0.0) {
+    if (mesh.closed(triangle) && facing(beams_.beam(tube.beam), mesh.patch_of(triangle)) > 0.0) {
       if (tube.course != Course::twin) follow(tube, {}, bounce);
       return;
     }

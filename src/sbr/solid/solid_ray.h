@@ -47,9 +47,7 @@ class SolidWaves {
   std::uint64_t surface(std::uint32_t triangle) const;
 
  private:
-  const Patch& patch(std::uint32_t triangle) const {
-    return look_.tracer.mesh().patches[look_.tracer.mesh().triangle_patch[triangle]];
-  }
+  const Patch& patch(std::uint32_t triangle) const { return look_.tracer.mesh().patch_of(triangle); }
   bool at_own_boundary(const SolidHit& hit) const;
   Medium medium(std::uint32_t material) const;
   SurfaceResponse::Polarised reflection(const SolidHit& hit) const;

@@ -125,7 +125,7 @@ class SolidTubes {
 
   // Of a convex body only what meets a solid first can enter one.
   bool begins_at(std::uint32_t triangle) const {
-    const Patch& plane = mesh().patches[mesh().triangle_patch[triangle]];
+    const Patch& plane = mesh().patch_of(triangle);
     if (mesh().closed(triangle) && glm::dot(plane.normal, look_.grid.direction) >= 0.0) return false;
     return is_solid(look_.surfaces.materials, plane.material) || !alone();
   }

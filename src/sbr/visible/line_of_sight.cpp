@@ -95,8 +95,8 @@ LineOfSightSheets::LineOfSightSheets(const TriangleMesh& mesh, std::span<const M
       nearest_(-std::numeric_limits<double>::infinity()) {
   const SpectralSurfaces surfaces{materials, {}};
   box_ = {dvec2(std::numeric_limits<double>::infinity()), dvec2(-std::numeric_limits<double>::infinity())};
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!surfaces.transmits(mesh.patches[mesh.triangle_patch[t]].material)) continue;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!surfaces.transmits(mesh.patch_of(t).material)) continue;
     for (int c = 0; c < 3; ++c) {
       const dvec3& r = mesh.vertices[mesh.triangles[t][c]];
       box_ = {glm::min(box_.low, across(r)), glm::max(box_.high, across(r))};

@@ -19,8 +19,7 @@ std::size_t wave_facets(const SolvePlan& plan, const BandPlan& band) {
   const TriangleMesh& mesh = plan.target.mesh;
   std::size_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    count += band.wave_surfaces->region(t) != no_index &&
-             carries_waves(plan.sweep.materials, mesh.patches[mesh.triangle_patch[t]].material);
+    count += band.wave_surfaces->region(t) != no_index && carries_waves(plan.sweep.materials, mesh.patch_of(t).material);
   return count;
 }
 

@@ -188,14 +188,12 @@ void tell_surface_waves(const SolvePlan& plan, const Contribution& waves, std::s
   row.has_surface_waves = waves.ran_at(frequency) && waves_run_over_all_materials(plan);
 }
 
-// Which triangles meet at an edge, and the curvatures at corners.
+// The curvatures at corners.
 double surface_waves_bytes(const SolvePlan& plan) {
-  const double sides = 3.0 * static_cast<double>(plan.target.mesh.triangles.size());
   double bytes = 0.0;
   for (const BandPlan& band : plan.bands)
     if (has_surface_waves(plan, band))
-      bytes += sides * (2.0 * sizeof(EdgeTable::Side) + 3.0 * sizeof(std::uint32_t)) +
-               static_cast<double>(band.wave_surfaces->normals()) * (sizeof(glm::dmat3) + sizeof(double));
+      bytes += static_cast<double>(band.wave_surfaces->normals()) * (sizeof(glm::dmat3) + sizeof(double));
   return bytes;
 }
 

@@ -14,8 +14,8 @@ template <class Take>
 TriangleMesh part_of(const TriangleMesh& mesh, Take take) {
   TriangleMesh part = mesh;
   part.triangles.clear(), part.triangle_patch.clear(), part.triangle_component.clear();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!take(mesh.patches[mesh.triangle_patch[t]].material)) continue;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!take(mesh.patch_of(t).material)) continue;
     part.triangles.push_back(mesh.triangles[t]);
     part.triangle_patch.push_back(mesh.triangle_patch[t]);
     part.triangle_component.push_back(mesh.triangle_component[t]);

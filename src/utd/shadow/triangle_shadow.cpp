@@ -21,7 +21,7 @@ double volume(const dvec3& ray, const dvec3& point, const dvec3& from, const dve
 TriangleShadow::TriangleShadow(const TriangleMesh& mesh, std::uint32_t triangle, const dvec3& start, const dvec3& end,
                                const Viewpoint& view) {
   const auto& corners = mesh.triangles[triangle];
-  const Patch& plane = mesh.patches[mesh.triangle_patch[triangle]];
+  const Patch& plane = mesh.patch_of(triangle);
   const dvec3 first = view.towards_from(start), second = view.towards_from(end);
   const double facing = glm::dot(plane.normal, first), facing_end = glm::dot(plane.normal, second);
   const double rays = std::max(glm::length(first), glm::length(second));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 #include "mesh/trace/tracer.h"
 #include "scene/frequency_bands.h"
@@ -23,13 +22,12 @@ struct CurvedTarget {
                std::span<const Material> some_materials = {}, std::span<const double> frequencies = {})
       : tracer(a_tracer),
         surfaces(some_surfaces),
-        edges(tracer.mesh().triangles, tracer.mesh().vertices.size()),
         curvatures(tracer.mesh(), surfaces),
         widths(body_widths(tracer.mesh())),
         materials(some_materials),
         impedances(materials, frequencies),
         lowest(lowest_wavenumber(frequencies)),
-        noses(find_noses(tracer.mesh(), surfaces, curvatures, edges, lowest)),
+        noses(find_noses(tracer.mesh(), surfaces, curvatures, lowest)),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
@@ -47,9 +45,7 @@ struct CurvedTarget {
   bool is_wide(std::uint32_t component, double wavenumber) const { return width_share(component, wavenumber) > 0.0; }
 
   /// Of a facet, no_index: a perfect conductor.
-  std::uint32_t material(std::uint32_t triangle) const {
-    return tracer.mesh().patches[tracer.mesh().triangle_patch[triangle]].material;
-  }
+  std::uint32_t material(std::uint32_t triangle) const { return tracer.mesh().patch_of(triangle).material; }
 
   /// Whether a facet is part of a surface over which waves run at all.
   bool carries_waves(std::uint32_t triangle) const {
@@ -74,7 +70,7 @@ struct CurvedTarget {
   bool is_analytic() const { return noses.empty() && materials.empty(); }
 
   std::vector<Nose> short_noses(double longest) const {
-    return noses_in_parts(tracer.mesh(), surfaces, curvatures, edges, lowest, noses, longest);
+    return noses_in_parts(tracer.mesh(), surfaces, curvatures, lowest, noses, longest);
   }
 
   const dvec3& corner(std::uint32_t triangle, int corner) const {
@@ -101,7 +97,6 @@ struct CurvedTarget {
 
   const Tracer& tracer;
   const SmoothSurfaces& surfaces;
-  const EdgeTable edges;
   const CurvatureField curvatures;
   const std::vector<double> widths;  // of the components [m]
   const std::span<const Material> materials;

@@ -13,7 +13,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
     : target_(target),
       side_(side),
       sampling_(sampling),
-      geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, target.edges, start, direction),
+      geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, start, direction),
       piece_{start, start.l, direction},
       at_(start.l) {
   stand_at(start.l, 0.0);

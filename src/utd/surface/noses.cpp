@@ -71,9 +71,8 @@ Principal principal_at(const SurfaceFrame& frame) {
 
 class NoseFinder {
  public:
-  NoseFinder(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const EdgeTable& edges,
-             double wavenumber)
-      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), wavenumber_(wavenumber) {}
+  NoseFinder(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, double wavenumber)
+      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(mesh.edges()), wavenumber_(wavenumber) {}
 
   Nose at(const FacetPoint& start) const {
     const SurfaceFrame frame = curvatures_.at(start.triangle, start.l);
@@ -102,7 +101,7 @@ class NoseFinder {
   };
 
   SectionWalk walk(const FacetPoint& start, const Plane& plane, double way) const {
-    Geodesic geodesic(mesh_, surfaces_, curvatures_, edges_, start, way * plane.across);
+    Geodesic geodesic(mesh_, surfaces_, curvatures_, start, way * plane.across);
     GeodesicPiece piece{start, start.l, way * plane.across};
     SectionWalk walked;
     for (int i = 0; i < most_pieces && geodesic.next(piece); ++i)
@@ -131,7 +130,7 @@ class NoseFinder {
   void meet_face(SectionWalk& walked, const GeodesicPiece& piece, int side, const Plane& plane) const {
     const EdgeTable::Edge edge = edges_[edges_.edge_of(piece.from.triangle, side)];
     if (edge.sides.size() != 2) return;
-    const EdgeTable::Side& other = edge.sides[edge.sides[0].triangle == piece.from.triangle ? 1 : 0];
+    const EdgeTable::Side& other = edge.beside(piece.from.triangle);
     const dvec3& normal = normal_of(other.triangle);
     const dvec3 &from = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - from);
     const dvec3 tip = mesh_.vertices[mesh_.triangles[other.triangle][(other.corner + 2) % 3]] - from;
@@ -140,7 +139,7 @@ class NoseFinder {
       end_in(walked, surfaces_.facet(piece.from.triangle).point(piece.to), other.triangle, plane);
   }
 
-  const dvec3& normal_of(std::uint32_t triangle) const { return mesh_.patches[mesh_.triangle_patch[triangle]].normal; }
+  const dvec3& normal_of(std::uint32_t triangle) const { return mesh_.patch_of(triangle).normal; }
 
   void end_in(SectionWalk& walked, const dvec3& place, std::uint32_t facet, const Plane& plane) const {
     walked.flat = true;
@@ -158,7 +157,7 @@ class NoseFinder {
       place += length * way;
       const EdgeTable::Edge edge = edges_[edges_.edge_of(facet, side)];
       if (edge.sides.size() != 2) return place;
-      const EdgeTable::Side& other = edge.sides[edge.sides[0].triangle == facet ? 1 : 0];
+      const EdgeTable::Side& other = edge.beside(facet);
       if (glm::dot(normal_of(other.triangle), normal) < std::cos(most_turned)) return place;
       facet = other.triangle, entered = static_cast<int>(other.corner);
     }
@@ -373,9 +372,9 @@ double Nose::shared_turn(double wavenumber) const {
 }
 
 std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                             const EdgeTable& edges, double wavenumber) {
+                             double wavenumber) {
   if (!std::isfinite(wavenumber)) return {};
-  const NoseFinder finder(mesh, surfaces, curvatures, edges, wavenumber);
+  const NoseFinder finder(mesh, surfaces, curvatures, wavenumber);
   std::vector<Nose> noses(mesh.triangles.size());
   bool any = false;
   for (std::uint32_t t = 0; t < noses.size(); ++t) {
@@ -388,8 +387,8 @@ std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& sur
 }
 
 std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                                 const EdgeTable& edges, double wavenumber, std::span<const Nose> noses, double longest) {
-  const NoseFinder finder(mesh, surfaces, curvatures, edges, wavenumber);
+                                 double wavenumber, std::span<const Nose> noses, double longest) {
+  const NoseFinder finder(mesh, surfaces, curvatures, wavenumber);
   std::vector<Nose> parts;
   for (std::uint32_t t = 0; t < noses.size(); ++t) {
     const Nose& whole = noses[t];

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 
 namespace raytube {
@@ -52,11 +51,11 @@ struct Nose {
 
 /// Those of all facets, [triangle], that matter at `wavenumber` and above.
 std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                             const EdgeTable& edges, double wavenumber);
+                             double wavenumber);
 
 /// The noses among those, as found at that wavenumber; of facets that reach further than `longest` [m] along their edge one for
 /// each part of that length, with its share of `turn`: strips of a wing's leading edge may be as long as the wing.
 std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                                 const EdgeTable& edges, double wavenumber, std::span<const Nose> noses, double longest);
+                                 double wavenumber, std::span<const Nose> noses, double longest);
 
 }  // namespace raytube

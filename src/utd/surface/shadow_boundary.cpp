@@ -72,7 +72,7 @@ class ShadowBoundary {
     crossing.ends[end] = {l[1], l[2]};
     crossing.points[end] = target_.surfaces.facet(t).point(crossing.ends[end]);
     if (!target_.surfaces.on_boundary(t, c))
-      edge_ends_.push_back({target_.edges.edge_of(t, c), static_cast<std::uint32_t>(crossings_.size()), end});
+      edge_ends_.push_back({target_.tracer.mesh().edges().edge_of(t, c), static_cast<std::uint32_t>(crossings_.size()), end});
     return glm::normalize(glm::mix(target_.curvatures.normal(t, c), target_.curvatures.normal(t, next), x));
   }
 

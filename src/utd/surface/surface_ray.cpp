@@ -8,15 +8,13 @@ namespace raytube {
 
 namespace {
 
-dvec3 normal_of(const TriangleMesh& mesh, std::uint32_t triangle) { return mesh.patches[mesh.triangle_patch[triangle]].normal; }
-
 std::array<double, 3> all_three(const dvec2& l) { return {1.0 - l.x - l.y, l.x, l.y}; }
 
 }  // namespace
 
 Geodesic::Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                   const EdgeTable& edges, const FacetPoint& start, const dvec3& direction)
-    : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(edges), at_(start), tangent_(direction) {}
+                   const FacetPoint& start, const dvec3& direction)
+    : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), at_(start), tangent_(direction) {}
 
 dvec3 Geodesic::normal() const {
   const std::array<double, 3> l = all_three(at_.l);
@@ -52,7 +50,7 @@ Geodesic::Exit Geodesic::exit(const dvec2& rate) const {
 bool Geodesic::next(GeodesicPiece& piece) {
   constexpr int most_around_a_vertex = 64;
   if (ended_ || standing_ > most_around_a_vertex) return false;
-  const dvec3 n = normal(), plane = normal_of(mesh_, at_.triangle);
+  const dvec3 n = normal(), plane = mesh_.patch_of(at_.triangle).normal;
   const double facing = glm::dot(n, plane);
   tangent_ = glm::normalize(tangent_ - glm::dot(tangent_, n) * n);
   if (facing < 0.2) return false;  // normals that have nothing to do with the facet
@@ -73,8 +71,8 @@ bool Geodesic::next(GeodesicPiece& piece) {
 
 // Over side `corner` of the triangle, at `share` of it.
 void Geodesic::enter(int corner, double share) {
-  const EdgeTable::Edge edge = edges_[edges_.edge_of(at_.triangle, corner)];
-  const EdgeTable::Side& other = edge.sides[edge.sides[0].triangle == at_.triangle ? 1 : 0];
+  const EdgeTable::Edge edge = mesh_.edges()[mesh_.edges().edge_of(at_.triangle, corner)];
+  const EdgeTable::Side& other = edge.beside(at_.triangle);
   const Triangle &t = mesh_.triangles[at_.triangle], &u = mesh_.triangles[other.triangle];
   const int from = static_cast<int>(other.corner), to = (from + 1) % 3;
   const double part = u[from] == t[corner] ? share : 1.0 - share;

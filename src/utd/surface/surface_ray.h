@@ -1,7 +1,6 @@
 // Geodesics over the facets of curved surfaces.
 #pragma once
 
-#include "mesh/model/edge_table.h"
 #include "mesh/smooth/curvature_field.h"
 
 namespace raytube {
@@ -24,8 +23,8 @@ struct GeodesicPiece {
 /// which facet a point on an edge is counted to. Ends where the surface does. Keeps references to its arguments.
 class Geodesic {
  public:
-  Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const EdgeTable& edges,
-           const FacetPoint& start, const dvec3& direction);
+  Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const FacetPoint& start,
+           const dvec3& direction);
 
   /// The next piece, false if there is none.
   bool next(GeodesicPiece& piece);
@@ -46,7 +45,6 @@ class Geodesic {
   const TriangleMesh& mesh_;
   const SmoothSurfaces& surfaces_;
   const CurvatureField& curvatures_;
-  const EdgeTable& edges_;
   FacetPoint at_;
   dvec3 tangent_;
   int entered_ = -1;  // the side over which it came

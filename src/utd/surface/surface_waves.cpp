@@ -214,7 +214,7 @@ class SurfaceLook {
       const Triangle& corners = mesh_.triangles[t];
       const dvec3& from = mesh_.vertices[corners[c]];
       const dvec3 way = mesh_.vertices[corners[(c + 1) % 3]] - from;
-      const dvec3 inwards = glm::cross(mesh_.patches[mesh_.triangle_patch[t]].normal, way);
+      const dvec3 inwards = glm::cross(mesh_.patch_of(t).normal, way);
       if (glm::dot(inwards, look_.incident(from + 0.5 * way)) > -1e-9 * glm::length(inwards)) continue;
       add_far_sides(t, c, way, 1.0);
       if (!mesh_.closed(t)) add_far_sides(t, c, way, -1.0);
@@ -452,7 +452,7 @@ class SurfaceLook {
 
   std::optional<StripArrival> follow_dark(const FacetPoint& start, const dvec3& incident, DarkStrip strip, double side) {
     put_end(strip);
-    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, target_.edges, start, incident);
+    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, start, incident);
     GeodesicPiece piece{start, start.l, incident};
     bool goes_on = true;
     while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);

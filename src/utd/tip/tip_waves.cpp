@@ -95,9 +95,10 @@ class WayDown {
   bool at_rim() const {
     if (march_.ended_at() < 0) return false;
     const TriangleMesh& mesh = target_.tracer.mesh();
-    const EdgeTable::Edge edge = target_.edges[target_.edges.edge_of(march_.triangle(), march_.ended_at())];
+    const EdgeTable& edges = target_.tracer.mesh().edges();
+    const EdgeTable::Edge edge = edges[edges.edge_of(march_.triangle(), march_.ended_at())];
     return std::ranges::any_of(edge.sides, [&](const EdgeTable::Side& s) {
-      return glm::dot(mesh.patches[mesh.triangle_patch[s.triangle]].normal, march_.direction()) > std::sin(straight);
+      return glm::dot(mesh.patch_of(s.triangle).normal, march_.direction()) > std::sin(straight);
     });
   }
 

@@ -20,7 +20,7 @@ TEST(JoinedMesh, EveryTriangleKnowsItsPart) {
     const std::uint32_t part = t < 12 ? 0 : t < 24 ? 1 : 2;
     EXPECT_EQ(scene.joined.triangle_part[t], part);
     const double low = part == 0 ? -0.5 : part == 1 ? 0.5 : 5.0, high = part == 2 ? 5.0 : low + 1.0;
-    const Patch& plane = mesh.patches[mesh.triangle_patch[t]];
+    const Patch& plane = mesh.patch_of(t);
     for (const std::uint32_t v : mesh.triangles[t]) {
       const dvec3 at = mesh.vertices[v] + mesh.center;
       EXPECT_GE(at.x, low - 1e-12);

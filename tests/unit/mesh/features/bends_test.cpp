@@ -1,4 +1,6 @@
 // Which steep creases are bends of a curved surface, and which are edges.
+#include "mesh/smooth/bends.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,10 +8,9 @@
 
 #include "mesh/features/wedges.h"
 #include "mesh/load.h"
-#include "mesh/smooth/bends.h"
 #include "mesh/smooth/smooth.h"
-#include "unit/mesh_shapes.h"
 #include "plan/target.h"
+#include "unit/mesh_shapes.h"
 
 namespace raytube {
 namespace {
@@ -18,9 +19,7 @@ using namespace raytube::shapes;
 
 constexpr double crease = 15.0 * degree;
 
-std::vector<Bend> bends_of(const TriangleMesh& mesh, double threshold) {
-  return find_bends(mesh, EdgeTable(mesh.triangles, mesh.vertices.size()), threshold);
-}
+std::vector<Bend> bends_of(const TriangleMesh& mesh, double threshold) { return find_bends(mesh, threshold); }
 
 std::vector<Bend> bends_of(const PolygonSoup& soup) { return bends_of(build(soup).mesh, crease); }
 
@@ -48,7 +47,7 @@ TEST(Bends, FacetsBesideThemAreCurved) {
   const Target target(build(over(ellipse, 32)).mesh);
   const SmoothSurfaces smooth(target.mesh, target.options.min_wedge_angle);
   for (std::uint32_t t = 0; t < target.mesh.triangles.size(); ++t) {
-    if (std::abs(target.mesh.patches[target.mesh.triangle_patch[t]].normal.z) > 0.5) continue;
+    if (std::abs(target.mesh.patch_of(t).normal.z) > 0.5) continue;
     ASSERT_NE(smooth.region(t), no_index);
     EXPECT_GT(smooth.rise(t), 0.0);
   }

@@ -41,13 +41,11 @@ LoadedMesh build_both(const PolygonSoup& soup) {
   return loaded;
 }
 
-std::uint32_t material(const TriangleMesh& mesh, std::size_t triangle) {
-  return mesh.patches[mesh.triangle_patch[triangle]].material;
-}
+std::uint32_t material(const TriangleMesh& mesh, std::uint32_t triangle) { return mesh.patch_of(triangle).material; }
 
 double area_of(const TriangleMesh& mesh, std::uint32_t wanted) {
   double sum = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (material(mesh, t) == wanted) sum += 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
   return sum;
 }
@@ -130,8 +128,8 @@ TEST(MeshMaterials, FacetsKeepTheirsWhenOthersAreLeftOut) {
   EXPECT_NEAR(area_of(loaded.mesh, absorber), 2.0, rounding);
   EXPECT_NEAR(area_of(loaded.mesh, film), 1.0, rounding);
   EXPECT_NEAR(area_of(loaded.mesh, metal), 3.0, rounding);
-  for (std::size_t t = 0; t < loaded.mesh.triangles.size(); ++t) {
-    const dvec3& normal = loaded.mesh.patches[loaded.mesh.triangle_patch[t]].normal;
+  for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t) {
+    const dvec3& normal = loaded.mesh.patch_of(t).normal;
     const std::uint32_t expected = normal.z == -1.0 || normal.y == -1.0 ? absorber : normal.x == 1.0 ? film : metal;
     EXPECT_EQ(material(loaded.mesh, t), expected);
   }
@@ -334,7 +332,7 @@ TEST(MeshMaterials, JoinedMeshesKeepThem) {
   const std::vector<TriangleMesh> parts{build_both(made_of(cube(), absorber)).mesh,
                                         build_both(moved(cube(), glm::dmat3(1.0), {5, 0, 0})).mesh};
   const JoinedMesh joined = join_meshes(parts);
-  for (std::size_t t = 0; t < joined.mesh.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < joined.mesh.triangles.size(); ++t)
     EXPECT_EQ(material(joined.mesh, t), joined.triangle_part[t] == 0 ? absorber : metal);
 }
 
@@ -394,7 +392,7 @@ TEST(MeshMaterials, AStripOfAPanelIsPartOfThePanel) {
   const SmoothSurfaces smooth(loaded.mesh, 15.0 * degree, 1.0);
   EXPECT_EQ(smooth.facets(), 12u);
   for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t) {
-    const bool flat = std::abs(loaded.mesh.patches[loaded.mesh.triangle_patch[t]].normal.z) > 1.0 - 1e-12;
+    const bool flat = std::abs(loaded.mesh.patch_of(t).normal.z) > 1.0 - 1e-12;
     EXPECT_EQ(smooth.region(t) == no_index, flat);
   }
 }

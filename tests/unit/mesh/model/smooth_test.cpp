@@ -1,9 +1,10 @@
 // Which facets stand for a curved surface, and how well the surface found there is the one they were made from.
+#include "mesh/smooth/smooth.h"
+
 #include <gtest/gtest.h>
 
 #include "mesh/load.h"
 #include "mesh/smooth/bodies.h"
-#include "mesh/smooth/smooth.h"
 #include "mesh/trace/tracer.h"
 #include "run.h"
 #include "shapes.h"
@@ -50,7 +51,7 @@ TEST(SmoothSurfaces, CylinderBendsOneWayAndItsCapsNotAtAll) {
   const SmoothSurfaces smooth(loaded.mesh, crease, 1.0);
   std::size_t walls = 0;
   for (std::uint32_t t = 0; t < loaded.mesh.triangles.size(); ++t) {
-    const bool wall = std::abs(loaded.mesh.patches[loaded.mesh.triangle_patch[t]].normal.z) < 0.5;
+    const bool wall = std::abs(loaded.mesh.patch_of(t).normal.z) < 0.5;
     EXPECT_EQ(smooth.region(t) != no_index, wall);
     walls += wall ? 1 : 0;
   }

@@ -1,10 +1,11 @@
+#include "mesh/repair/patches.h"
+
 #include <algorithm>
 
 #include "mesh/features/convexity.h"
 #include "mesh/model/faces.h"
 #include "mesh/model/geometry.h"
 #include "mesh/read/coordinate_step.h"
-#include "mesh/repair/patches.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {
@@ -30,8 +31,8 @@ TEST(MeshPatches, RoundedFacesArePlane) {
   PolygonSoup rounded = in_single_precision(exact);
   rounded.step = coordinate_step(rounded.points, 0);
   const TriangleMesh mesh = build(rounded).mesh, before = build(exact).mesh;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Patch& plane = mesh.patches[mesh.triangle_patch[t]];
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Patch& plane = mesh.patch_of(t);
     for (const std::uint32_t v : mesh.triangles[t])
       EXPECT_LE(std::abs(glm::dot(plane.normal, mesh.vertices[v]) - plane.offset), 4e-16 * mesh.radius);
   }
@@ -46,8 +47,8 @@ TEST(MeshPatches, CurvedSurfacesAreNotFlattened) {
   const LoadedMesh loaded = build(sphere(200));
   const TriangleMesh& mesh = loaded.mesh;
   EXPECT_GT(mesh.patches.size(), mesh.triangles.size() * 46 / 100);  // the halves of a quad are coplanar, and a few at the poles
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Patch& patch = mesh.patches[mesh.triangle_patch[i]];
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Patch& patch = mesh.patch_of(i);
     for (const std::uint32_t v : mesh.triangles[i])
       // 2e-6 of the diagonal, 3.46, and how far planes move as they grow.
       EXPECT_NEAR(glm::dot(patch.normal, mesh.vertices[v]), patch.offset, 1e-5);

@@ -1,11 +1,12 @@
 // The tree leaves nothing out, and little is looked at in it where many long triangles meet.
+#include "mesh/model/triangle_tree.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 
-#include "mesh/model/triangle_tree.h"
 #include "mesh/trace/exact_hit.h"
 #include "shapes.h"
 #include "unit/uncertain_rays.h"
@@ -20,8 +21,7 @@ std::uint64_t pairs_looked_at(const TriangleMesh& mesh) {
 }
 
 std::uint64_t near_coincident_listed(const TriangleMesh& mesh) {
-  const TriangleRows at_vertex = triangle_rows(mesh.vertices.size(), mesh.triangles, std::identity());
-  const NearCoincident near_coincident(mesh, TriangleTree(mesh), at_vertex, 2e-6 * mesh.radius, 0.25);
+  const NearCoincident near_coincident(mesh, TriangleTree(mesh), 2e-6 * mesh.radius, 0.25);
   std::uint64_t count = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) count += near_coincident[t].size();
   return count;

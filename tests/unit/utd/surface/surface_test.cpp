@@ -35,13 +35,12 @@ TEST(CurvatureField, OfASphere) {
 TEST(Geodesic, GoesRoundASphereInItsPlane) {
   const Sphere sphere(4);
   const SmoothSurfaces smooth(sphere.loaded.mesh, 15 * degree, 0.1);
-  const EdgeTable edges(sphere.loaded.mesh.triangles, sphere.loaded.mesh.vertices.size());
   const Triangle& t = sphere.loaded.mesh.triangles[5];
   const dvec3 a = sphere.loaded.mesh.vertices[t[0]], b = sphere.loaded.mesh.vertices[t[1]], c = sphere.loaded.mesh.vertices[t[2]];
   const dvec3 start = (a + b + c) / 3.0, along = glm::normalize(b - 0.3 * a - 0.7 * c);
   const dvec3 across = glm::normalize(glm::cross(start, along));
   const CurvatureField field(sphere.loaded.mesh, smooth);
-  Geodesic geodesic(sphere.loaded.mesh, smooth, field, edges, {5, {1.0 / 3, 1.0 / 3}}, along);
+  Geodesic geodesic(sphere.loaded.mesh, smooth, field, {5, {1.0 / 3, 1.0 / 3}}, along);
   GeodesicPiece piece;
   double length = 0.0, off = 0.0;
   while (length < 2 * pi && geodesic.next(piece)) {
