@@ -83,7 +83,7 @@ class Block {
     std::size_t alive = 0;
     for (std::size_t i = 0; i < rays_.size(); ++i) {
       if (!hits_[i]) continue;
-      if (from_inside(rays_[i], hits_[i])) {
+      if (hits_[i].from_inside) {
         ++sums_.lost_rays;
         continue;
       }
@@ -156,11 +156,6 @@ class Block {
 
   void truncate(std::size_t i, Truncation reason) {
     count_truncated(sums_.truncated[reason], scene_.area_of_tube, beams_.amplitude(samples_[i].beam));
-  }
-
-  bool from_inside(const Ray& ray, const Hit& hit) const {
-    const TriangleMesh& mesh = scene_.tracer.mesh();
-    return mesh.closed(hit.triangle) && glm::dot(mesh.patch_of(hit.triangle).normal, ray.direction) > 0.0;
   }
 
   // Monte Carlo integration of the radiation integral: the value of its integrand times the area that the tube stands for.

@@ -186,9 +186,7 @@ class WaysOfTube {
       Hit hit;
       tracer_.closest_hits({&ray, 1}, {&hit, 1});
       if (!hit) return end(way, TubeEnd::left_the_scene, 0.0);
-      const TriangleMesh& mesh = tracer_.mesh();
-      if (wave_.from_behind(mesh.triangle_patch[hit.triangle]) && mesh.closed(hit.triangle))
-        return end(way, TubeEnd::lost, hit.distance);
+      if (hit.from_inside) return end(way, TubeEnd::lost, hit.distance);
       if (met(way) == max_bounces_) return end(way, TubeEnd::truncated, hit.distance);
       const TubeBounce bounce = wave_.reflect(hit.triangle, ray.origin + hit.distance * ray.direction);
       ways_[way].bounces.push_back(bounce);

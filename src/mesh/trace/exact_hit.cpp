@@ -228,18 +228,18 @@ Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ign
   Hit front;
   if (has_long_corner(hit.triangle))
     keep_nearer_of_all(ray, ignored_patches, front,
-                       [&](std::uint32_t other) { return shares_corner(hit.triangle, other) && !from_behind(ray, other); });
+                       [&](std::uint32_t other) { return shares_corner(hit.triangle, other) && !meets_from_inside(ray, other); });
   else
     for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
       for (const std::uint32_t candidate : at_vertex_[vertex])
-        if (!from_behind(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
+        if (!meets_from_inside(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
   if (is_long(near_coincident_[hit.triangle]))
     keep_nearer_of_all(ray, ignored_patches, front, [&](std::uint32_t other) {
-      return std::ranges::binary_search(near_coincident_[hit.triangle], other) && !from_behind(ray, other);
+      return std::ranges::binary_search(near_coincident_[hit.triangle], other) && !meets_from_inside(ray, other);
     });
   else
     for (const std::uint32_t candidate : near_coincident_[hit.triangle])
-      if (!from_behind(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
+      if (!meets_from_inside(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
   if (!front) return hit;
   const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
                                 std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));

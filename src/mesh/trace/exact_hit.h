@@ -29,6 +29,11 @@ class ExactHit {
     return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
   }
 
+  /// The hit of a ray on a triangle that it meets, or none for no_index.
+  Hit hit(const Ray& ray, std::uint32_t triangle) const {
+    return triangle == no_index ? Hit() : Hit{triangle, distance(ray, triangle), meets_from_inside(ray, triangle)};
+  }
+
   /// What tells which of two triangles that contain the ray is the nearer one [m]: distance(), or where the ray grazes the patch
   /// the distance to the triangle itself.
   double depth(const Ray& ray, std::uint32_t triangle) const;
@@ -78,8 +83,13 @@ class ExactHit {
   /// rounding says which is the nearer one. If `hit` is on the one turned away, the hit on the other one; else `hit`.
   Hit front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const;
 
+  /// True if the ray meets the triangle of a closed body from inside.
+  bool meets_from_inside(const Ray& ray, std::uint32_t triangle) const {
+    return glm::dot(mesh_.patch_of(triangle).normal, ray.direction) > 0.0 && mesh_.closed(triangle);
+  }
+
   /// True if a ray that does not run inside a closed body meets one from inside.
-  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return from_behind(ray, triangle) && !leaves_inwards(ray); }
+  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return meets_from_inside(ray, triangle) && !leaves_inwards(ray); }
 
   /// True if a ray that leaves a patch starts beneath a facet turned away only by as much as facets may be off the planes of
   /// their patches.
@@ -92,9 +102,6 @@ class ExactHit {
   std::array<double, 3> edge_sides(const Ray& ray, std::uint32_t triangle) const;
   double depth(const Ray& ray, std::uint32_t triangle, const std::array<double, 3>& sides) const;
   void keep_nearer(const Ray& ray, std::uint32_t candidate, const IgnoredPatches& ignored_patches, Hit& nearest) const;
-  bool from_behind(const Ray& ray, std::uint32_t triangle) const {
-    return glm::dot(mesh_.patches[patch(triangle)].normal, ray.direction) > 0.0 && mesh_.closed(triangle);
-  }
   bool leaves_inwards(const Ray& ray) const;
   double start_uncertainty(const Ray& ray) const;
   bool grazes(const Ray& ray, std::uint32_t patch) const;

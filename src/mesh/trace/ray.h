@@ -26,6 +26,7 @@ inline bool is_finite(const Ray& ray) {
 struct Hit {
   std::uint32_t triangle = no_index;  // that it meets
   double distance = 0.0;              // along the ray [m], to the plane of the triangle's patch
+  bool from_inside = false;           // whether it meets a closed body from inside: a ray that comes from outside has slipped in
   /// Whether there is one.
   explicit operator bool() const { return triangle != no_index; }
 };

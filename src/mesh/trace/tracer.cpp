@@ -465,18 +465,13 @@ std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) c
   return scene_->exact.near_coincident(triangle);
 }
 
-void Tracer::closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
+void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
+  std::array<std::uint32_t, packet_width> found;
   for (std::size_t first = 0; first < rays.size(); first += packet_width) {
     const std::size_t count = std::min(packet_width, rays.size() - first);
-    scene_->closest(rays.subspan(first, count), found.subspan(first, count));
+    scene_->closest(rays.subspan(first, count), found);
+    for (std::size_t i = 0; i < count; ++i) hits[first + i] = scene_->exact.hit(rays[first + i], found[i]);
   }
-}
-
-void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
-  std::vector<std::uint32_t> found(rays.size());
-  closest_triangles(rays, found);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    hits[i] = {found[i], found[i] == no_index ? 0.0 : scene_->exact.distance(rays[i], found[i])};
 }
 
 std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const {

@@ -30,9 +30,6 @@ class Tracer {
   /// of it in single precision with the instruction set at hand. Thread-safe. hits.size() == rays.size().
   void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
 
-  /// The triangles that closest_hits finds, without the distances; no_index where there is none. found.size() == rays.size().
-  void closest_triangles(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
-
   /// The nearest triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if
   /// there is none. Thread-safe.
   std::uint32_t blocker(const dvec3& origin, const dvec3& direction, const IgnoredPatches& ignored_patches) const;

@@ -127,8 +127,7 @@ class CurvedTubes {
   void meet(Tube tube, const Hit& hit, int bounce) {
     const TriangleMesh& mesh = look_.tracer.mesh();
     const std::uint32_t patch = mesh.triangle_patch[hit.triangle];
-    if (mesh.closed(hit.triangle) && glm::dot(mesh.patches[patch].normal, tube.ray.direction) > 0.0)
-      return sums_.lose(tube.ray, hit.triangle, mesh);
+    if (hit.from_inside) return sums_.lose(tube.ray, hit.triangle, mesh);
     const bool curved = look_.smooth->region(hit.triangle) != no_index;
     if (!tube.beam.reflected && !curved && !look_.surfaces.transmits(mesh.patches[patch].material)) return;
     const LocalSurface met = surface(tube.beam, hit.triangle);

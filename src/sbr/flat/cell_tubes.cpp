@@ -63,9 +63,9 @@ Ray CellTubes::reflected_ray(std::uint32_t column, std::uint32_t row, std::uint3
 
 void CellTubes::advance(int bounce) {
   sums_.rays += rays_.size();
+  hits_.resize(rays_.size());
+  tracer_.closest_hits(rays_, hits_);
   if (bounce == max_bounces_) return truncate();
-  found_.resize(rays_.size());
-  tracer_.closest_triangles(rays_, found_);
   reflect(bounce);
   integrate(bounce);
   send_on();
@@ -73,12 +73,10 @@ void CellTubes::advance(int bounce) {
 }
 
 void CellTubes::truncate() {
-  std::vector<Hit> hits(rays_.size());
-  tracer_.closest_hits(rays_, hits);
   for (std::size_t i = 0; i < tubes_.size(); ++i)
-    if (hits[i])
+    if (hits_[i])
       count_truncated(sums_.truncated[Truncation::bounces], tracer_, beams_.surfaces(),
-                      {rays_[i], hits[i], grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam)});
+                      {rays_[i], hits_[i], grid_.du * grid_.dv, beams_.amplitude(tubes_[i].beam)});
   clear();
 }
 
@@ -97,20 +95,19 @@ void CellTubes::reflect(int bounce) {
   const TriangleMesh& mesh = tracer_.mesh();
   std::size_t alive = 0;
   for (std::size_t i = 0; i < tubes_.size(); ++i) {
-    const std::uint32_t triangle = found_[i];
-    if (triangle == no_index) continue;
+    const Hit hit = hits_[i];
+    if (!hit) continue;
     const auto [column, row, beam] = tubes_[i];
-    if (smooth_ && !beams_.is_reflected(beam) && smooth_->region(triangle) != no_index) continue;
-    const std::uint32_t patch = mesh.triangle_patch[triangle],
+    if (smooth_ && !beams_.is_reflected(beam) && smooth_->region(hit.triangle) != no_index) continue;
+    const std::uint32_t patch = mesh.triangle_patch[hit.triangle],
                         node = beams_.child(beam, patch, {grid_.u_center(column), grid_.v_center(row)});
-    // Only a ray that slipped through an edge meets a closed body from inside.
-    if (beams_.from_behind(node) && mesh.closed(triangle)) {
-      sums_.lose(rays_[i], triangle, mesh);
+    if (hit.from_inside) {
+      sums_.lose(rays_[i], hit.triangle, mesh);
       continue;
     }
     sums_.meet(bounce, grid_.du * grid_.dv, beams_.amplitude(beam));
     tubes_[alive] = {column, row, node};
-    found_[alive] = triangle;
+    hits_[alive] = hit;
     rays_[alive] = reflected_ray(column, row, node, patch);
     ++alive;
   }
@@ -147,7 +144,7 @@ void CellTubes::find_screened_tubes() {
   sums_.rays += line_of_sight_->through_sheets(beams_, [&](std::uint32_t i, std::uint32_t node) {
     const Tube& tube = tubes_[i];
     screened_.push_back({tube.column, tube.row, node});
-    if (map_) add_to_map(screened_.back(), found_[i]);
+    if (map_) add_to_map(screened_.back(), hits_[i].triangle);
   });
 }
 
@@ -187,7 +184,7 @@ void CellTubes::integrate(int bounce) {
   sums_.hits[static_cast<std::size_t>(bounce)] += tubes_.size();
   find_screened_tubes();
   add_incoherent();
-  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) add_to_map(tubes_[i], found_[i]);
+  for (std::size_t i = 0; map_ && i < tubes_.size(); ++i) add_to_map(tubes_[i], hits_[i].triangle);
   for (const std::span<const Tube> tubes : {std::span<const Tube>(tubes_), std::span<const Tube>(screened_)}) {
     if (tubes.empty()) continue;
     find_runs(tubes);

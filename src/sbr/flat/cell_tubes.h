@@ -86,7 +86,7 @@ class CellTubes {
   std::vector<Tube> tubes_;
   std::vector<Tube> screened_;  // their currents again, for every sheet between them and the receiver
   std::vector<Ray> rays_;
-  std::vector<std::uint32_t> found_;  // triangles met: by each ray, then by each tube
+  std::vector<Hit> hits_;  // of each ray, then of each tube
   std::vector<Run> runs_;
   CellBlock coarse_block_{};
   std::array<std::vector<ScatteringMatrix>, coarse_grids> coarse_sums_;

@@ -119,14 +119,12 @@ struct FaceTrace {
 
   // Only a ray that slipped through an edge meets a closed body from inside: then the tube is cut after all.
   void meet_as_a_whole(const PolygonTube& tube, std::size_t ray, int bounce) {
-    const std::uint32_t triangle = hits_[ray].triangle;
     if (!hits_[ray]) return;
-    const TriangleMesh& mesh = look_.faces.mesh();
-    if (mesh.closed(triangle) && facing(beams_.beam(tube.beam), mesh.patch_of(triangle)) > 0.0) {
+    if (hits_[ray].from_inside) {
       if (tube.course != Course::twin) follow(tube, {}, bounce);
       return;
     }
-    parts_.push_back({look_.faces.face_of(triangle), tube.outline});
+    parts_.push_back({look_.faces.face_of(hits_[ray].triangle), tube.outline});
     reflect(tube, bounce);
   }
 

@@ -32,11 +32,12 @@ void expect_exact(const TriangleMesh& mesh, const std::vector<Ray>& all) {
     limit_instruction_set(set);
     for (const int packet : {1, 16}) {
       const Tracer tracer(mesh, packet);
-      std::vector<std::uint32_t> found(all.size()), any(all.size());
-      tracer.closest_triangles(all, found);
+      std::vector<Hit> found(all.size());
+      std::vector<std::uint32_t> any(all.size());
+      tracer.closest_hits(all, found);
       tracer.any_blockers(all, nothing_ignored, any);
       int wrong = 0, wrongly_blocked = 0;
-      for (std::size_t i = 0; i < all.size(); ++i) wrong += found[i] != expected[i] ? 1 : 0;
+      for (std::size_t i = 0; i < all.size(); ++i) wrong += found[i].triangle != expected[i] ? 1 : 0;
       for (std::size_t i = 0; i < all.size(); ++i) {
         const bool right = any[i] == no_index ? expected[i] == no_index : exact.meets(all[i], any[i], nothing_ignored);
         wrongly_blocked += right ? 0 : 1;

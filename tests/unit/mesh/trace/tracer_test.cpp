@@ -182,13 +182,13 @@ TEST(Tracer, EmbreeCallsTheFilterOfEveryQuery) {
       leaving.push_back({from_above[i].origin + hits[i].distance * from_above[i].direction, from_above[i].direction,
                          mesh.triangle_patch[hits[i].triangle]});
     const std::uint32_t upper = leaving.front().source_patch;
-    std::vector<std::uint32_t> closest(leaving.size()), any(leaving.size());
-    tracer.closest_triangles(leaving, closest);
+    std::vector<std::uint32_t> any(leaving.size());
+    tracer.closest_hits(leaving, hits);
     tracer.any_blockers(from_above, {upper, no_index, no_index}, any);
     std::size_t met = 0;
     for (std::size_t i = 0; i < leaving.size(); ++i) {
       const std::uint32_t wanted = tracer.blocker(from_above[i].origin, from_above[i].direction, {upper, no_index, no_index});
-      EXPECT_EQ(closest[i], wanted);
+      EXPECT_EQ(hits[i].triangle, wanted);
       EXPECT_EQ(any[i] == no_index, wanted == no_index);
       if (wanted == no_index) continue;
       ++met;
