@@ -12,26 +12,14 @@
 
 #include "core/instruction_set.h"
 #include "mesh/model/geometry.h"
-#include "mesh/trace/embree.h"
 #include "mesh/trace/exact_hit.h"
+#include "mesh/trace/packet.h"
 #include "mesh/trace/proxy_triangles.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr std::size_t packet_width = 16;  // of what is loaded and decided together; Embree may be given less at a time
-
-// Embree works on a copy of the mesh scaled to about unit size, so its absolute thresholds mean the same for every target.
-// A ray that leaves a surface starts this far behind it (about 30 float roundings); what lies in between is refused in double.
-constexpr double start_behind = 4e-6;
-// A ray from afar starts this far from the middle of the mesh, so that single precision places it as well as the others.
-constexpr double start_from = 2.0;
-// Embree takes components of a direction below 1e-18 as +1e-18. In a packet with a negative one that is not what its sign says,
-// and surfaces that other rays of the packet meet are passed over.
-constexpr double least_component = 1e-17;
-// Embree may end the program at a ray whose numbers are not finite, or beyond 1.8e18.
-constexpr float largest_number = 1e18f;
 // Of the proxy triangles: twenty times the distance by which single precision can mistake a point.
 constexpr double proxy_margin = 2e-5;
 
@@ -45,9 +33,6 @@ constexpr double proxy_margin = 2e-5;
 void check_device(RTCDevice device) {
   if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE) fail(error);
 }
-
-struct QueryContext;
-struct Packet;
 
 // One of Embree's triangles, and how far along the ray it found it [m].
 struct Proposal {
@@ -116,107 +101,14 @@ struct QueryContext : embree::Query {
   }
 };
 
-// The lanes whose flag is set (all ones), as bits. Of a whole packet the compiler takes them at once.
-unsigned lanes_set(const int* flags, unsigned count) {
-  unsigned bits = 0;
-  if (count == packet_width)
-    for (unsigned lane = 0; lane < packet_width; ++lane) bits |= static_cast<unsigned>(flags[lane]) & 1u << lane;
-  else
-    for (unsigned lane = 0; lane < count; ++lane) bits |= static_cast<unsigned>(flags[lane]) & 1u << lane;
-  return bits;
-}
-
 // Keeps only hits that lie ahead of the ray's true start in double precision and are not on a refused surface.
 void refuse(const RTCFilterFunctionNArguments* arguments) {
   const auto& query = *static_cast<const QueryContext*>(arguments->context);
-  for (unsigned left = lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
+  for (unsigned left = embree::lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(left));
     const Ray& ray = query.rays[RTCRayN_id(arguments->ray, arguments->N, lane)];
     if (query.refuses(ray, RTCHitN_primID(arguments->hit, arguments->N, lane))) arguments->valid[lane] = 0;
   }
-}
-
-// Sixteen rays with what Embree finds of them. Lanes beyond the last ray are inactive and repeat it: Embree computes with them
-// all the same and asks its filter about them, and what was in memory may be subnormal numbers, a hundred times as slow.
-struct alignas(64) Packet {
-  RTCRayHit16 rays;
-  std::array<int, packet_width> valid;
-  std::array<double, packet_width> start;  // along each ray [Embree's units]
-};
-
-// Where along it a ray begins for Embree.
-double start_of(const Ray& ray, double scale, bool from_behind) {
-  const double towards = -scale * glm::dot(ray.origin, ray.direction) - start_from;
-  return towards > 0.0 ? towards : from_behind || ray.source_patch != no_index ? -start_behind : 0.0;
-}
-
-float direction_component(double x) { return std::abs(x) < least_component ? 0.0f : static_cast<float>(x); }
-
-// Not so if one of them is no number.
-bool can_be_traced(float origin_x, float origin_y, float origin_z, float x, float y, float z) {
-  return origin_x * origin_x + origin_y * origin_y + origin_z * origin_z + x * x + y * y + z * z <=
-         largest_number * largest_number;
-}
-
-// From outside the mesh, away from it.
-template <class To>
-void meet_nothing(To&& origin_x, To&& origin_y, To&& origin_z, To&& x, To&& y, To&& z) {
-  origin_x = origin_y = x = y = 0.0f, origin_z = 4.0f, z = 1.0f;
-}
-
-void park_strays(RTCRay16& rays) {
-  for (std::size_t i = 0; i < packet_width; ++i)
-    if (!can_be_traced(rays.org_x[i], rays.org_y[i], rays.org_z[i], rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]))
-      meet_nothing(rays.org_x[i], rays.org_y[i], rays.org_z[i], rays.dir_x[i], rays.dir_y[i], rays.dir_z[i]);
-}
-
-void load(Packet& packet, std::span<const Ray> rays, double scale, bool from_behind) {
-  RTCRay16& to = packet.rays.ray;
-  for (std::size_t lane = 0; lane < packet_width; ++lane) {
-    const std::size_t index = std::min(lane, rays.size() - 1);
-    const Ray& ray = rays[index];
-    const double start = packet.start[lane] = start_of(ray, scale, from_behind);
-    to.org_x[lane] = static_cast<float>(ray.origin.x * scale + start * ray.direction.x);
-    to.org_y[lane] = static_cast<float>(ray.origin.y * scale + start * ray.direction.y);
-    to.org_z[lane] = static_cast<float>(ray.origin.z * scale + start * ray.direction.z);
-    to.dir_x[lane] = direction_component(ray.direction.x);
-    to.dir_y[lane] = direction_component(ray.direction.y);
-    to.dir_z[lane] = direction_component(ray.direction.z);
-    to.id[lane] = static_cast<unsigned>(index);
-  }
-  int strays = 0;
-  for (std::size_t lane = 0; lane < packet_width; ++lane)
-    strays |=
-        can_be_traced(to.org_x[lane], to.org_y[lane], to.org_z[lane], to.dir_x[lane], to.dir_y[lane], to.dir_z[lane]) ? 0 : 1;
-  if (strays != 0) park_strays(to);
-  for (std::size_t lane = 0; lane < packet_width; ++lane) {
-    packet.valid[lane] = lane < rays.size() ? -1 : 0;
-    to.tnear[lane] = to.time[lane] = 0.0f;
-    to.tfar[lane] = std::numeric_limits<float>::infinity();
-    to.mask[lane] = 0xffffffffu;
-    to.flags[lane] = 0;
-    packet.rays.hit.geomID[lane] = packet.rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-  }
-}
-
-bool is_hit(const Packet& packet, std::size_t lane) { return packet.rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
-
-// The smallest of the three edge functions of a hit - twice the area of the triangle, as the ray sees it, times a barycentric
-// coordinate - in Embree's units and precision.
-float smallest_side(float u, float v, float along) { return std::min({u, v, 1.0f - u - v}) * std::abs(along); }
-
-float smallest_side(const Packet& packet, std::size_t lane) {
-  const RTCHit16& hit = packet.rays.hit;
-  const RTCRay16& ray = packet.rays.ray;
-  const float along = hit.Ng_x[lane] * ray.dir_x[lane] + hit.Ng_y[lane] * ray.dir_y[lane] + hit.Ng_z[lane] * ray.dir_z[lane];
-  return smallest_side(hit.u[lane], hit.v[lane], along);
-}
-
-float smallest_side(const RTCFilterFunctionNArguments& of, unsigned lane) {
-  const float along = RTCHitN_Ng_x(of.hit, of.N, lane) * RTCRayN_dir_x(of.ray, of.N, lane) +
-                      RTCHitN_Ng_y(of.hit, of.N, lane) * RTCRayN_dir_y(of.ray, of.N, lane) +
-                      RTCHitN_Ng_z(of.hit, of.N, lane) * RTCRayN_dir_z(of.ray, of.N, lane);
-  return smallest_side(RTCHitN_u(of.hit, of.N, lane), RTCHitN_v(of.hit, of.N, lane), along);
 }
 
 // A query for any hit: which rays met what beyond doubt, and which met something that they may miss.
@@ -234,70 +126,19 @@ struct AnyContext : QueryContext {
 // Ends a ray at a triangle that it meets beyond doubt.
 void keep_any(const RTCFilterFunctionNArguments* arguments) {
   auto& query = *static_cast<AnyContext*>(arguments->context);
-  for (unsigned left = lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
+  for (unsigned left = embree::lanes_set(arguments->valid, arguments->N); left != 0; left &= left - 1) {
     const auto lane = static_cast<unsigned>(std::countr_zero(left));
     const unsigned index = RTCRayN_id(arguments->ray, arguments->N, lane);
     const Ray& ray = query.rays[index];
     const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, lane), triangle = query.scene->source[primitive];
     arguments->valid[lane] = 0;
     if (query.refuses(ray, primitive)) continue;
-    if (query.scene->is_safe(primitive, smallest_side(*arguments, lane)) ||
+    if (query.scene->is_safe(primitive, embree::smallest_side(*arguments, lane)) ||
         query.scene->exact.meets(ray, triangle, query.refused_patches))
       query.found[index] = triangle, arguments->valid[lane] = -1;
     else
       query.doubt(index, triangle);
   }
-}
-
-void intersect_singly(RTCScene scene, embree::Query& query, Packet& packet) {
-  auto* rays = reinterpret_cast<RTCRayHitN*>(&packet.rays);
-  for (unsigned lane = 0; lane < packet_width; ++lane) {
-    if (!packet.valid[lane]) continue;
-    RTCRayHit single = rtcGetRayHitFromRayHitN(rays, packet_width, lane);
-    embree::intersect(scene, query, single);
-    rtcCopyHitToHitN(RTCRayHitN_HitN(rays, packet_width), &single.hit, packet_width, lane);
-    packet.rays.ray.tfar[lane] = single.ray.tfar;
-  }
-}
-
-RTCRayHit single_ray(const Ray& ray, double scale, double start) {
-  RTCRayHit query{};
-  const dvec3 origin = ray.origin * scale + start * ray.direction;
-  query.ray.org_x = static_cast<float>(origin.x);
-  query.ray.org_y = static_cast<float>(origin.y);
-  query.ray.org_z = static_cast<float>(origin.z);
-  query.ray.dir_x = direction_component(ray.direction.x);
-  query.ray.dir_y = direction_component(ray.direction.y);
-  query.ray.dir_z = direction_component(ray.direction.z);
-  RTCRay& to = query.ray;
-  if (!can_be_traced(to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z))
-    meet_nothing(to.org_x, to.org_y, to.org_z, to.dir_x, to.dir_y, to.dir_z);
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = 0xffffffffu;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  return query;
-}
-
-void intersect(RTCScene scene, embree::Query& query, int width, Packet& packet) {
-  if (width == 1)
-    intersect_singly(scene, query, packet);
-  else
-    embree::intersect(scene, query, packet.valid.data(), packet.rays);
-}
-
-void occlude_singly(RTCScene scene, embree::Query& query, double scale, std::span<const Ray> rays) {
-  for (unsigned index = 0; index < rays.size(); ++index) {
-    RTCRay single = single_ray(rays[index], scale, start_of(rays[index], scale, true)).ray;
-    single.id = index;
-    embree::occluded(scene, query, single);
-  }
-}
-
-void occlude(RTCScene scene, embree::Query& query, double scale, std::span<const Ray> rays) {
-  Packet packet;
-  load(packet, rays, scale, true);
-  embree::occluded(scene, query, packet.valid.data(), packet.rays.ray);
 }
 
 // To about unit size.
@@ -378,13 +219,13 @@ void Tracer::Scene::closest(std::span<const Ray> rays, std::span<std::uint32_t> 
   const bool leaves_surface = std::ranges::any_of(rays, [](const Ray& ray) { return ray.source_patch != no_index; });
   auto context = make_context<QueryContext>(*this, rays.data(), ignored);
   if (leaves_surface) context.filter = refuse;
-  Packet packet;
-  load(packet, rays, scale, false);
-  intersect(scene, context, width, packet);
+  embree::Packet packet;
+  embree::load(packet, rays, scale, false);
+  embree::intersect(scene, context, width, packet);
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
-    found[lane] = is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
-    if (!is_hit(packet, lane)) continue;
-    if (!is_inside(rays[lane], found[lane], smallest_side(packet, lane)))
+    found[lane] = embree::is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
+    if (!embree::is_hit(packet, lane)) continue;
+    if (!is_inside(rays[lane], found[lane], embree::smallest_side(packet, lane)))
       found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
     else if (!exact.is_alone(found[lane]))
       found[lane] = exact.front_of(rays[lane], exact.nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
@@ -402,9 +243,9 @@ void Tracer::Scene::any(std::span<const Ray> rays, const IgnoredPatches& ignored
   context.scene = this;
   context.found = found;
   if (width == 1 || rays.size() == 1)
-    occlude_singly(scene, context, scale, rays);
+    embree::occlude_singly(scene, context, scale, rays);
   else
-    occlude(scene, context, scale, rays);
+    embree::occlude(scene, context, scale, rays);
   for (const auto& [ray, triangle] : context.doubtful)
     if (found[ray] == no_index) found[ray] = exact.nearest_around(rays[ray], triangle, ignored).triangle;
 }
@@ -430,8 +271,8 @@ Proposal Tracer::Scene::propose_beyond(const Ray& ray, const IgnoredPatches& ign
   auto context = make_context<QueryContext>(*this, &ray, ignored);
   context.filter = refuse;
   context.refused_primitives = refused;
-  const double start = start_of(ray, scale, true);
-  RTCRayHit query = single_ray(ray, scale, start);
+  const double start = embree::start_of(ray, scale, true);
+  RTCRayHit query = embree::single_ray(ray, scale, start);
   embree::intersect(scene, context, query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
   return {query.hit.primID, (start + query.ray.tfar) / scale};
@@ -466,9 +307,9 @@ std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) c
 }
 
 void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
-  std::array<std::uint32_t, packet_width> found;
-  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::size_t count = std::min(packet_width, rays.size() - first);
+  std::array<std::uint32_t, embree::packet_width> found;
+  for (std::size_t first = 0; first < rays.size(); first += embree::packet_width) {
+    const std::size_t count = std::min(embree::packet_width, rays.size() - first);
     scene_->closest(rays.subspan(first, count), found);
     for (std::size_t i = 0; i < count; ++i) hits[first + i] = scene_->exact.hit(rays[first + i], found[i]);
   }
@@ -480,8 +321,8 @@ std::uint32_t Tracer::blocker(const dvec3& origin, const dvec3& direction, const
 
 void Tracer::any_blockers(std::span<const Ray> rays, const IgnoredPatches& ignored_patches,
                           std::span<std::uint32_t> found) const {
-  for (std::size_t first = 0; first < rays.size(); first += packet_width) {
-    const std::size_t count = std::min(packet_width, rays.size() - first);
+  for (std::size_t first = 0; first < rays.size(); first += embree::packet_width) {
+    const std::size_t count = std::min(embree::packet_width, rays.size() - first);
     scene_->any(rays.subspan(first, count), ignored_patches, found.subspan(first, count));
   }
 }
