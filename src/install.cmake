@@ -10,7 +10,7 @@ set(public_headers
     core/complex_vector.h core/error.h core/field.h core/progress.h core/work_team.h
     scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/random_result.h scene/tube_paths.h scene/wedge_line.h
     scene/results.h scene/sweep.h
-    mesh/load.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/made_once.h mesh/model/part_names.h
+    mesh/load.h mesh/model/disjoint_sets.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/made_once.h mesh/model/part_names.h
     mesh/model/polygon_soup.h mesh/model/triangle_mesh.h mesh/model/triangle_rows.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
     mesh/features/convexity.h mesh/features/outlines.h mesh/features/patch_borders.h mesh/features/thin_plates.h mesh/features/wedge_sets.h mesh/features/wedges.h
     mesh/smooth/creases.h mesh/smooth/smooth.h

@@ -8,8 +8,7 @@ namespace {
 
 double exposed_surface(const TriangleMesh& mesh) {
   double sum = 0.0;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    sum += (mesh.closed(t) ? 0.5 : 1.0) * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) sum += (mesh.closed(t) ? 0.5 : 1.0) * mesh.twice_area(t);
   return sum;
 }
 

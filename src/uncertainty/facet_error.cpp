@@ -49,7 +49,7 @@ FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, co
   for (const Patch& patch : mesh.patches) dents_.push_back({patch.normal, 0.0, 0.0});
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double area = 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+    const double area = 0.5 * mesh.twice_area(t);
     dvec3 missing(0.0);
     double depth = 0.0;
     if (meant.region(t) != no_index) missing = bend_sum(meant, t);

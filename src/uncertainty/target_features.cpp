@@ -107,23 +107,22 @@ class EdgeFinder {
 
  private:
   std::vector<std::uint32_t> find_runs(std::span<const WedgeEnd> ends) const {
-    std::vector<std::uint32_t> parents(wedges_.size());
-    std::iota(parents.begin(), parents.end(), 0u);
+    DisjointSets runs(wedges_.size());
     for_each_point(ends, [&](std::span<const WedgeEnd> here) {
-      if (goes_on(here)) parents[find_root(parents, here[1].wedge)] = find_root(parents, here[0].wedge);
+      if (goes_on(here)) runs.join(here[0].wedge, here[1].wedge);
     });
-    join_beside_narrow_faces(parents);
-    return number_sets(std::move(parents));
+    join_beside_narrow_faces(runs);
+    return runs.numbers();
   }
 
-  void join_beside_narrow_faces(std::vector<std::uint32_t>& parents) const {
+  void join_beside_narrow_faces(DisjointSets& runs) const {
     std::vector<std::uint32_t> first(curved_.patches.size(), no_index);
     for (std::uint32_t i = 0; i < wedges_.size(); ++i)
       for (const WedgeFace& face : wedges_[i].faces) {
         if (!counts(wedges_[i]) || face.patch == no_index || !is_narrow(face.width, wavelength_)) continue;
         std::uint32_t& other = first[face.patch];
         if (other == no_index) other = i;
-        parents[find_root(parents, i)] = find_root(parents, other);
+        runs.join(other, i);
       }
   }
 
@@ -152,9 +151,7 @@ class EdgeFinder {
   EdgeFeatures features_;
 };
 
-double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) {
-  return 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[triangle]));
-}
+double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) { return 0.5 * mesh.twice_area(triangle); }
 
 // Angle between the normals of the two patches at an edge; 0 where more or fewer than two triangles meet [rad].
 double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
@@ -168,16 +165,15 @@ double crease_angle(const TriangleMesh& mesh, const EdgeTable::Edge& edge) {
 // Sets of triangles that patches and creases join. `ends` says of each patch whether it has an edge.
 std::vector<FaceExtent> face_extents(const TriangleMesh& mesh, std::span<const SmoothCrease> creases,
                                      const std::vector<bool>& ends) {
-  std::vector<std::uint32_t> parents(mesh.patches.size());
-  std::iota(parents.begin(), parents.end(), 0u);
+  DisjointSets joined(mesh.patches.size());
   for (const SmoothCrease& crease : creases) {
     const auto [first, second] = crease.triangles;
-    parents[find_root(parents, mesh.triangle_patch[first])] = find_root(parents, mesh.triangle_patch[second]);
+    joined.join(mesh.triangle_patch[second], mesh.triangle_patch[first]);
   }
   std::vector<FaceExtent> faces(mesh.patches.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t patch = mesh.triangle_patch[t];
-    FaceExtent& face = faces[find_root(parents, patch)];
+    FaceExtent& face = faces[joined.root(patch)];
     face.area += triangle_area(mesh, t);
     face.ends = face.ends || ends[patch];
     face.material = mesh.patches[patch].material;

@@ -19,11 +19,9 @@ double rounding(const TriangleMesh& mesh) {
   return 8.0 * std::numeric_limits<double>::epsilon() * mesh.radius + rounding_steps * mesh.coordinate_step;
 }
 
-double height(const Patch& plane, const dvec3& at) { return glm::dot(plane.normal, at) - plane.offset; }
-
 bool lies_in_one_plane(const TriangleMesh& mesh) {
   return std::ranges::all_of(mesh.vertices,
-                             [&](const dvec3& v) { return std::abs(height(mesh.patches[0], v)) <= rounding(mesh); });
+                             [&](const dvec3& v) { return std::abs(mesh.patches[0].height(v)) <= rounding(mesh); });
 }
 
 // A closed connected surface is the boundary of a convex body if it is convex about each of its points (van Heijenoort 1952);
@@ -54,12 +52,11 @@ class ConvexBody {
     comparisons_ += 3 * planes_.size() * around(v).size();
     return comparisons_ <= most_comparisons && std::ranges::all_of(planes_, [&](std::uint32_t p) {
              const Patch& plane = mesh_.patches[p];
-             if (std::abs(height(plane, mesh_.vertices[v])) > rounding_) return false;
+             if (std::abs(plane.height(mesh_.vertices[v])) > rounding_) return false;
              const double allowed = rounding_ + (mesh_.coordinate_step > 0.0 ? rise_by_rounding(v, p) : 0.0);
              return std::ranges::all_of(around(v), [&](std::uint32_t t) {
-               const auto& [a, b, c] = mesh_.triangles[t];
-               return std::max({height(plane, mesh_.vertices[a]), height(plane, mesh_.vertices[b]),
-                                height(plane, mesh_.vertices[c])}) <= allowed;
+               const auto [a, b, c] = mesh_.corners(t);
+               return std::max({plane.height(a), plane.height(b), plane.height(c)}) <= allowed;
              });
            });
   }
@@ -71,7 +68,7 @@ class ConvexBody {
     for (const std::uint32_t t : around(v)) {
       for (const std::uint32_t w : mesh_.triangles[t])
         farthest = std::max(farthest, glm::distance(mesh_.vertices[v], mesh_.vertices[w]));
-      if (mesh_.triangle_patch[t] == plane) highest = std::max(highest, raytube::height(mesh_.vertices, mesh_.triangles[t]));
+      if (mesh_.triangle_patch[t] == plane) highest = std::max(highest, height(mesh_.vertices, mesh_.triangles[t]));
     }
     return mesh_.coordinate_step * std::min(most_reach, farthest / highest);
   }
@@ -83,7 +80,7 @@ class ConvexBody {
     double angle = 0.0;
     for (const std::uint32_t t : around(v)) {
       const auto& triangle = mesh_.triangles[t];
-      const auto corner = std::ranges::find(triangle, v) - triangle.begin();
+      const std::uint32_t corner = corner_at(triangle, v);
       const dvec3 a = mesh_.vertices[triangle[(corner + 1) % 3]] - mesh_.vertices[v],
                   b = mesh_.vertices[triangle[(corner + 2) % 3]] - mesh_.vertices[v];
       // In the plane across the axis.

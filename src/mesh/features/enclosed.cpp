@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mesh/model/triangle_pairs.h"
+
 namespace raytube {
 
 namespace {
@@ -9,13 +11,6 @@ namespace {
 // Terms of winding numbers, about a second's worth; bodies that may enclose others, the largest of a mesh.
 constexpr std::uint64_t most_terms = 50'000'000;
 constexpr std::size_t most_bodies = 16;
-
-// Of a triangle as the origin sees it; positive if it runs counter-clockwise there (van Oosterom & Strackee 1983) [sr].
-double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
-  const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
-  return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
-}
 
 class EnclosedComponents {
  public:
@@ -58,8 +53,8 @@ class EnclosedComponents {
   bool winds_about(std::uint32_t body, const dvec3& point) const {
     double sum = 0.0;
     for (const std::uint32_t t : triangles_[body]) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      sum += solid_angle(mesh_.vertices[a] - point, mesh_.vertices[b] - point, mesh_.vertices[c] - point);
+      const auto [a, b, c] = mesh_.corners(t);
+      sum += solid_angle({a - point, b - point, c - point});
     }
     return std::abs(sum / (4.0 * pi) - 1.0) < 0.1;  // else it is another whole number
   }

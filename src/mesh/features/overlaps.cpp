@@ -1,16 +1,11 @@
 #include "mesh/features/overlaps.h"
 
 #include "mesh/model/geometry.h"
-#include "mesh/trace/near_coincident.h"
+#include "mesh/model/triangle_pairs.h"
 
 namespace raytube {
 
 namespace {
-
-std::array<dvec3, 3> corners(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
-}
 
 // Where two closed bodies touch no wave gets between them.
 bool have_a_side_in_common(const TriangleMesh& mesh, std::uint32_t a, std::uint32_t b) {
@@ -26,7 +21,7 @@ Overlaps overlaps_of_materials(const Tracer& tracer) {
   for (std::uint32_t a = 0; a < mesh.triangles.size(); ++a)
     for (const std::uint32_t b : tracer.near_coincident(a)) {
       if (b < a || mesh.patch_of(a).material == mesh.patch_of(b).material || !have_a_side_in_common(mesh, a, b)) continue;
-      if (!lie_upon_one_another(corners(mesh, a), corners(mesh, b), in_one_plane)) continue;
+      if (!lie_upon_one_another(mesh.corners(a), mesh.corners(b), in_one_plane)) continue;
       if (overlaps.pairs++ == 0) overlaps.example = {a, b};
     }
   return overlaps;

@@ -108,9 +108,7 @@ class PatchSymmetry {
     const bool sided = closed || plane.material != no_index;
     if (plane.material != other.material || std::abs(along) < 1.0 - same_angle || (sided && sign < 0.0)) return false;
     return std::ranges::all_of(std::array{edge.low, edge.high}, [&](std::uint32_t v) {
-      const double height = glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset,
-                   image_height = glm::dot(other.normal, mesh_.vertices[image_of_vertex_[v]]) - other.offset;
-      return std::abs(height - sign * image_height) <= rounding_;
+      return std::abs(plane.height(mesh_.vertices[v]) - sign * other.height(mesh_.vertices[image_of_vertex_[v]])) <= rounding_;
     });
   }
 

@@ -71,7 +71,7 @@ class ThinPlateEdgeFinder {
       : wedges_(wedges), closed_(mesh.patches.size()), area_(mesh.patches.size()) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       closed_[mesh.triangle_patch[t]] = mesh.closed(t);
-      area_[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+      area_[mesh.triangle_patch[t]] += mesh.twice_area(t) / 2;
     }
   }
 

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
-#include <cstring>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
 
 namespace raytube {
 
@@ -70,17 +69,10 @@ std::string_view first_word(std::string_view bytes) {
   }
 }
 
-std::string lower_case_word(std::string_view word) {
-  std::string lower(word);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 // 84 bytes, of which the last four count facets of 50 bytes each.
 bool is_binary_stl(std::string_view bytes) {
-  std::uint32_t facets = 0;
   if (bytes.size() < 84) return false;
-  std::memcpy(&facets, bytes.data() + 80, sizeof facets);
+  const auto facets = number_at<std::uint32_t>(bytes.data() + 80);
   return facets > 0 && bytes.size() == 84 + std::size_t{50} * facets;
 }
 
@@ -109,7 +101,7 @@ std::string_view mesh_ending_of(std::string_view bytes) {
   if (word.starts_with('{') && has_text(bytes, "\"asset\"")) return ".gltf";
   if (word == "ply") return ".ply";
   if (word.size() < 8 && word.ends_with("OFF")) return ".off";
-  if (lower_case_word(word.substr(0, 8)) == "solid" && has_text(bytes, "vertex")) return ".stl";
+  if (lower_case(word.substr(0, 8)) == "solid" && has_text(bytes, "vertex")) return ".stl";
   return is_obj(bytes) ? ".obj" : "";
 }
 

@@ -30,6 +30,14 @@ int written_digits(std::string_view number) {
   return digits;
 }
 
+std::optional<double> number_of(std::string_view text) {
+  const char *first = text.data() + (text.starts_with('+') ? 1 : 0), *last = text.data() + text.size();
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error == std::errc::invalid_argument) return {};
+  return error == std::errc::result_out_of_range ? std::strtod(std::string(text).c_str(), nullptr) : value;
+}
+
 TextScanner::TextScanner(const MeshFile& file, bool backslash_joins_lines)
     : file_(file), bytes_(without_padding(file.bytes)), backslash_joins_lines_(backslash_joins_lines) {
   if (is_utf16(bytes_)) file_.reject("is text in UTF-16; save it as UTF-8 or ASCII");
@@ -117,14 +125,9 @@ std::string_view TextScanner::raw_bytes(std::size_t count) {
 
 double TextScanner::number(std::string_view word) const {
   if (word.empty()) reject("a number is missing; the file is cut short or damaged, export it again");
-  const char* first = word.data() + (word.front() == '+' ? 1 : 0);
-  const char* last = word.data() + word.size();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(first, last, value);
-  if (end != last || error == std::errc::invalid_argument)
-    reject(fmt::format("'{}' is not a number; correct the line", quotable(word)));
-  // Below the smallest double strtod returns what is nearest, above the largest infinity.
-  return error == std::errc::result_out_of_range ? std::strtod(std::string(word).c_str(), nullptr) : value;
+  const std::optional<double> value = number_of(word);
+  if (!value) reject(fmt::format("'{}' is not a number; correct the line", quotable(word)));
+  return *value;
 }
 
 void TextScanner::note_digits(std::string_view word) {

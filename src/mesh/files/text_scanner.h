@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ std::string_view without_padding(std::string_view bytes);
 
 /// The digits of a number as it is written, from the first one that is not 0 to the exponent.
 int written_digits(std::string_view number);
+
+/// The value of a text that is a number as a whole; below the smallest double what is nearest, above the largest infinity.
+std::optional<double> number_of(std::string_view text);
 
 /// Blank-separated words; `#` at the start of a word opens a comment to the end of the line. LF, CRLF and CR end lines.
 /// Padding at the end of the file is no part of it.

@@ -11,6 +11,7 @@
 #include <new>
 
 #include "core/text.h"
+#include "mesh/files/text_scanner.h"
 
 namespace raytube {
 
@@ -82,13 +83,10 @@ std::uint32_t XmlReader::Element::index(std::string_view attribute) const {
 }
 
 double XmlReader::finite_number(std::string_view text) const {
-  const std::size_t sign = text.starts_with('+') ? 1 : 0;
-  double value = 0.0;
-  const auto [last, error] = std::from_chars(text.data() + sign, text.data() + text.size(), value);
-  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(text).c_str(), nullptr);
-  if (text.empty() || error == std::errc::invalid_argument || last != text.data() + text.size() || !std::isfinite(value))
+  const std::optional<double> value = number_of(text);
+  if (!value || !std::isfinite(*value))
     reject(fmt::format("'{}' is not a finite number; correct the line or export the mesh again", quotable(text)));
-  return value;
+  return *value;
 }
 
 void XmlReader::read(std::string_view text) {

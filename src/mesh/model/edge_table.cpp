@@ -63,20 +63,4 @@ std::size_t EdgeTable::find(std::uint32_t low, std::uint32_t high) const {
   return found != ends_.end() && ends_of(*found) == key ? found - ends_.begin() : ends_.size();
 }
 
-std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t i) {
-  while (parents[i] != i) i = parents[i] = parents[parents[i]];
-  return i;
-}
-
-std::vector<std::uint32_t> number_sets(std::vector<std::uint32_t> parents) {
-  std::vector<std::uint32_t> number(parents.size(), 0xffffffffu), set(parents.size());
-  std::uint32_t sets = 0;
-  for (std::uint32_t i = 0; i < parents.size(); ++i) {
-    std::uint32_t& mine = number[find_root(parents, i)];
-    if (mine == 0xffffffffu) mine = sets++;
-    set[i] = mine;
-  }
-  return set;
-}
-
 }  // namespace raytube

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mesh/model/disjoint_sets.h"
 #include "mesh/model/geometry.h"
 
 namespace raytube {
@@ -50,23 +51,16 @@ class EdgeTable {
   std::vector<std::uint32_t> edge_of_side_;
 };
 
-/// Disjoint sets, each a tree: the root of `i`, with path halving.
-std::uint32_t find_root(std::vector<std::uint32_t>& parents, std::uint32_t i);
-/// The set of each member, numbered in order of the sets' first members.
-std::vector<std::uint32_t> number_sets(std::vector<std::uint32_t> parents);
-
 /// Groups of triangles that hang together through the edges for which `crossable(edge)` holds: a number for each triangle.
 template <class Crossable>
 std::vector<std::uint32_t> connected_groups(const EdgeTable& edges, std::size_t triangle_count, Crossable crossable) {
-  std::vector<std::uint32_t> parents(triangle_count);
-  for (std::uint32_t i = 0; i < triangle_count; ++i) parents[i] = i;
+  DisjointSets groups(triangle_count);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeTable::Edge edge = edges[e];
     if (!crossable(edge)) continue;
-    for (const EdgeTable::Side& side : edge.sides)
-      parents[find_root(parents, side.triangle)] = find_root(parents, edge.sides[0].triangle);
+    for (const EdgeTable::Side& side : edge.sides) groups.join(edge.sides[0].triangle, side.triangle);
   }
-  return number_sets(std::move(parents));
+  return groups.numbers();
 }
 
 }  // namespace raytube

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace raytube {
 
@@ -51,8 +50,7 @@ void divide(std::span<BoxedFace> order, std::size_t full, std::span<std::span<Bo
     return;
   }
   const Box box = box_of(order);
-  const dvec3 size = box.high - box.low;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const int axis = longest_axis(box.high - box.low);
   const auto key = [axis](const BoxedFace& f) { return std::pair(f.box.low[axis] + f.box.high[axis], f.face); };
   const std::size_t middle = parts.size() / 2, half = middle * full;
   std::ranges::nth_element(order, order.begin() + static_cast<std::ptrdiff_t>(half), {}, key);
@@ -72,16 +70,7 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
   faces_ = in_order(faces_, order);
   points_.reserve(faces_.corners.size());
   for (const std::uint32_t corner : faces_.corners) points_.push_back(mesh.vertices[corner]);
-  list_triangles();
-}
-
-void FaceTree::list_triangles() {
-  first_triangle_.assign(faces_.faces.size() + 1, 0);
-  for (const std::uint32_t face : faces_.face_of_triangle) ++first_triangle_[face + 1];
-  std::partial_sum(first_triangle_.begin(), first_triangle_.end(), first_triangle_.begin());
-  triangles_.resize(faces_.face_of_triangle.size());
-  std::vector<std::uint32_t> next = first_triangle_;
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) triangles_[next[faces_.face_of_triangle[t]]++] = t;
+  triangles_ = triangle_rows(faces_.faces.size(), faces_.face_of_triangle);
 }
 
 // All nodes but the last of each level are full, so that few are looked at; the root may not be.

@@ -42,9 +42,7 @@ class FaceTree {
     return std::span(points_).subspan(faces_.faces[face].first_corner, corners(face).size());
   }
   /// The triangles of a face.
-  std::span<const std::uint32_t> triangles(std::uint32_t face) const {
-    return std::span(triangles_).subspan(first_triangle_[face], first_triangle_[face + 1] - first_triangle_[face]);
-  }
+  std::span<const std::uint32_t> triangles(std::uint32_t face) const { return triangles_[face]; }
   std::uint32_t face_of(std::uint32_t triangle) const { return faces_.face_of_triangle[triangle]; }  // number in faces()
   const TriangleMesh& mesh() const { return mesh_; }                                                 // as given
 
@@ -66,15 +64,14 @@ class FaceTree {
   };
   struct Query;
 
-  void list_triangles();
   std::uint32_t build(std::span<BoxedFace> order, std::uint32_t begin);
   void set_lane(std::uint32_t node, int lane, const Box& box, std::uint32_t begin, std::uint32_t end, std::uint32_t child);
 
   const TriangleMesh& mesh_;
   Faces faces_;
-  std::vector<dvec3> points_;                              // of all corners: side by side for neighbours
-  std::vector<std::uint32_t> first_triangle_, triangles_;  // of each face, compressed rows
-  double box_rounding_;                                    // [m] what single precision may move the side of a box by
+  std::vector<dvec3> points_;  // of all corners: side by side for neighbours
+  TriangleRows triangles_;     // of each face
+  double box_rounding_;        // [m] what single precision may move the side of a box by
   std::vector<Node> nodes_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "mesh/model/geometry.h"
 
@@ -18,9 +17,7 @@ constexpr std::size_t most_corners = 34;  // of two faces to be joined: bounds t
 class FaceFinder {
  public:
   explicit FaceFinder(const TriangleMesh& mesh)
-      : mesh_(mesh), edges_(mesh.edges()), parents_(mesh.triangles.size()), loops_(mesh.triangles.size()) {
-    std::iota(parents_.begin(), parents_.end(), 0u);
-  }
+      : mesh_(mesh), edges_(mesh.edges()), joined_(mesh.triangles.size()), loops_(mesh.triangles.size()) {}
 
   Faces run() {
     const std::vector<bool> flat = flat_patches();
@@ -38,8 +35,7 @@ class FaceFinder {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const Patch& plane = mesh_.patch_of(t);
       for (const std::uint32_t v : mesh_.triangles[t])
-        if (std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset) > rounding * mesh_.radius)
-          flat[mesh_.triangle_patch[t]] = false;
+        if (std::abs(plane.height(mesh_.vertices[v])) > rounding * mesh_.radius) flat[mesh_.triangle_patch[t]] = false;
     }
     return flat;
   }
@@ -52,7 +48,7 @@ class FaceFinder {
       if (!flat[patch] || members.size() < 3) continue;
       std::vector<std::uint32_t> outline = convex_outline(members, mesh_.patches[patch].normal);
       if (outline.empty()) continue;
-      for (const std::uint32_t t : members) parents_[t] = members[0];
+      for (const std::uint32_t t : members) joined_.join(members[0], t);
       loops_[members[0]] = std::move(outline);
     }
   }
@@ -107,7 +103,7 @@ class FaceFinder {
   }
 
   bool join_across(const EdgeTable::Edge& edge) {
-    const std::uint32_t a = find_root(parents_, edge.sides[0].triangle), b = find_root(parents_, edge.sides[1].triangle);
+    const std::uint32_t a = joined_.root(edge.sides[0].triangle), b = joined_.root(edge.sides[1].triangle);
     if (a == b || loop(a).size() + loop(b).size() > most_corners) return false;
     const std::uint32_t start = mesh_.triangles[edge.sides[0].triangle][edge.sides[0].corner];
     std::vector<std::uint32_t> one = turned_to_end_at(loop(a), start),
@@ -120,7 +116,7 @@ class FaceFinder {
     one.insert(one.end(), other.begin(), other.end() - 1);
     loops_[std::min(a, b)] = std::move(one);
     loops_[std::max(a, b)] = {};
-    parents_[std::max(a, b)] = std::min(a, b);
+    joined_.join(std::min(a, b), std::max(a, b));
     return true;
   }
 
@@ -171,7 +167,7 @@ class FaceFinder {
     Faces result;
     result.face_of_triangle.resize(loops_.size());
     for (std::uint32_t t = 0; t < loops_.size(); ++t) {
-      if (parents_[t] != t) continue;
+      if (joined_.root(t) != t) continue;
       const std::uint32_t patch = mesh_.triangle_patch[t];
       std::span<const std::uint32_t> corners = loop(t);
       if (corners.size() > 3) corners = loops_[t] = true_corners(loops_[t], mesh_.patches[patch].normal);
@@ -181,14 +177,13 @@ class FaceFinder {
     }
     for (const Face& face : result.faces)
       result.face_of_triangle[face.triangle] = static_cast<std::uint32_t>(&face - &result.faces[0]);
-    for (std::uint32_t t = 0; t < loops_.size(); ++t)
-      result.face_of_triangle[t] = result.face_of_triangle[find_root(parents_, t)];
+    for (std::uint32_t t = 0; t < loops_.size(); ++t) result.face_of_triangle[t] = result.face_of_triangle[joined_.root(t)];
     return result;
   }
 
   const TriangleMesh& mesh_;
   const EdgeTable& edges_;
-  std::vector<std::uint32_t> parents_;             // faces joined so far, by their lowest triangle
+  DisjointSets joined_;                            // triangles of one face so far, by their lowest
   std::vector<std::vector<std::uint32_t>> loops_;  // corners of the face of that triangle, if it is not that triangle alone
 };
 

@@ -44,12 +44,26 @@ inline Box bounding_box(std::span<const dvec3> points) {
   return box;
 }
 
+/// The axis along which a vector is longest; ties go to the lowest.
+inline int longest_axis(const dvec3& v) { return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2; }
+
 /// Twice the area times the unit normal.
 inline dvec3 area_vector(const dvec3& a, const dvec3& b, const dvec3& c) { return glm::cross(b - a, c - a); }
 
 /// Twice the area times the unit normal.
 inline dvec3 area_vector(std::span<const dvec3> vertices, const Triangle& t) {
   return area_vector(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+}
+
+/// The corner at which a triangle has a vertex of its own, 0 to 2.
+inline std::uint32_t corner_at(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2; }
+
+/// Whether the vertex is one of the triangle's.
+inline bool has_corner(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex || t[1] == vertex || t[2] == vertex; }
+
+/// Whether two triangles have a vertex in common.
+inline bool share_corner(const Triangle& a, const Triangle& b) {
+  return has_corner(b, a[0]) || has_corner(b, a[1]) || has_corner(b, a[2]);
 }
 
 /// The corner after which the longest edge starts; ties go to the lowest.

@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::uint32_t points_per_leaf = 8;
 
-int widest_axis(const Box& box) {
-  const dvec3 size = box.high - box.low;
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-
 /// Clips the line a + t (b - a), 0 <= t <= 1, by the box grown by `margin`; true if something is left.
 bool segment_meets_box(const dvec3& a, const dvec3& b, const Box& box, double margin) {
   double enter = 0.0, leave = 1.0;
@@ -49,7 +44,7 @@ void PointTree::build(std::uint32_t begin, std::uint32_t end) {
   for (std::uint32_t i = begin; i < end; ++i) box.add(points_[members_[i]]);
   nodes_.push_back({box, begin, end});
   if (end - begin <= points_per_leaf) return;
-  const int axis = widest_axis(box);
+  const int axis = longest_axis(box.high - box.low);
   const std::uint32_t middle = begin + (end - begin) / 2;
   std::nth_element(members_.begin() + begin, members_.begin() + middle, members_.begin() + end,
                    [&](std::uint32_t a, std::uint32_t b) { return points_[a][axis] < points_[b][axis]; });

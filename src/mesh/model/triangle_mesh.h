@@ -16,6 +16,7 @@
 
 #include "core/field.h"
 #include "mesh/model/edge_table.h"
+#include "mesh/model/geometry.h"
 #include "mesh/model/made_once.h"
 #include "mesh/model/triangle_rows.h"
 
@@ -29,6 +30,13 @@ struct Patch {
   dvec3 normal;                       // unit; outward on closed components
   double offset;                      // of the plane [m]
   std::uint32_t material = no_index;  // among those of the sweep; no_index: a perfect conductor
+
+  /// Height of a point over the plane [m].
+  double height(const dvec3& point) const { return glm::dot(normal, point) - offset; }
+  /// Distance from a point to the plane along a direction [m].
+  double distance(const dvec3& point, const dvec3& direction) const {
+    return (offset - glm::dot(normal, point)) / glm::dot(normal, direction);
+  }
 };
 
 /// Triangles connected through shared edges after welding.
@@ -71,8 +79,7 @@ struct TriangleMesh {
   }
   /// The triangles of each patch, in ascending order.
   const TriangleRows& of_patch() const {
-    return of_patch_.get(
-        [&] { return triangle_rows(patches.size(), triangle_patch, [](std::uint32_t p) { return std::array{p}; }); });
+    return of_patch_.get([&] { return triangle_rows(patches.size(), triangle_patch); });
   }
 
   /// Whether two triangles of one patch, and no others, meet at an edge.
@@ -88,6 +95,13 @@ struct TriangleMesh {
     return triangles[a.triangle][a.corner] == triangles[b.triangle][b.corner];
   }
 
+  /// The corners of a triangle as points.
+  std::array<dvec3, 3> corners(std::uint32_t triangle) const {
+    const auto& [a, b, c] = triangles[triangle];
+    return {vertices[a], vertices[b], vertices[c]};
+  }
+  /// Twice the area of a triangle [m^2].
+  double twice_area(std::uint32_t triangle) const { return glm::length(area_vector(vertices, triangles[triangle])); }
   /// The patch that a triangle is part of.
   const Patch& patch_of(std::uint32_t triangle) const { return patches[triangle_patch[triangle]]; }
   /// Whether a triangle is part of a closed component.

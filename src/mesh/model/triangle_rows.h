@@ -1,6 +1,7 @@
 // Lists of triangles, one after the other.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -31,6 +32,11 @@ TriangleRows triangle_rows(std::size_t count, const PerTriangle& per_triangle, N
   for (std::uint32_t t = 0; t < per_triangle.size(); ++t)
     for (const std::uint32_t row : numbers_of(per_triangle[t])) result.triangles[next[row]++] = t;
   return result;
+}
+
+/// The triangles of each number, of which every triangle has one.
+inline TriangleRows triangle_rows(std::size_t count, const std::vector<std::uint32_t>& number_of) {
+  return triangle_rows(count, number_of, [](std::uint32_t number) { return std::array{number}; });
 }
 
 }  // namespace raytube

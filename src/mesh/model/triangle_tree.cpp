@@ -75,8 +75,7 @@ class TriangleTree::Builder {
   };
 
   Member member(std::uint32_t triangle) const {
-    const auto& [i, j, k] = mesh_.triangles[triangle];
-    const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
+    const auto [a, b, c] = mesh_.corners(triangle);
     const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
     return {a + b + c, longest - slender_ratio * glm::length(area_vector(a, b, c)), triangle};
   }
@@ -122,8 +121,7 @@ class TriangleTree::Builder {
     const auto first = members_.begin();
     for (auto m = first + begin; m != first + end; ++m)
       middles.add({glm::dot(axes[0], m->sum), glm::dot(axes[1], m->sum), glm::dot(axes[2], m->sum)});
-    const dvec3 size = middles.high - middles.low;
-    const dvec3 along = axes[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2];
+    const dvec3 along = axes[longest_axis(middles.high - middles.low)];
     std::nth_element(first + begin, first + middle, first + end, [&along](const Member& a, const Member& b) {
       const double depth_a = glm::dot(along, a.sum), depth_b = glm::dot(along, b.sum);
       return depth_a != depth_b ? depth_a < depth_b : a.triangle < b.triangle;

@@ -3,67 +3,94 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/text.h"
 #include "mesh/files/mesh_file.h"
+#include "mesh/files/numbers.h"
 #include "mesh/model/triangle_mesh.h"
-#include "mesh/read/gltf_uri.h"
 
 namespace raytube {
 
 namespace {
 
-enum ComponentType : std::uint64_t { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
-
-std::uint64_t component_bytes(const MeshFile& file, std::uint64_t type) {
-  if (type == int8 || type == uint8) return 1;
-  if (type == int16 || type == uint16) return 2;
-  if (type == uint32 || type == float32) return 4;
-  file.reject(fmt::format("componentType {} is not a component type of glTF; the file is damaged, export it again", type));
-}
-
-template <class Number>
-double number_at(const char* bytes) {
-  Number number;
-  std::memcpy(&number, bytes, sizeof number);
-  return static_cast<double>(number);
-}
-
-double raw_value(const char* bytes, std::uint64_t type) {
-  switch (type) {
-    case int8:
-      return number_at<std::int8_t>(bytes);
-    case uint8:
-      return number_at<std::uint8_t>(bytes);
-    case int16:
-      return number_at<std::int16_t>(bytes);
-    case uint16:
-      return number_at<std::uint16_t>(bytes);
-    case uint32:
-      return number_at<std::uint32_t>(bytes);
-    default:
-      return number_at<float>(bytes);
-  }
+NumberType number_type(const MeshFile& file, std::uint64_t component_type) {
+  static constexpr std::pair<std::uint64_t, NumberType> types[] = {{5120, NumberType::int8},   {5121, NumberType::uint8},
+                                                                   {5122, NumberType::int16},  {5123, NumberType::uint16},
+                                                                   {5125, NumberType::uint32}, {5126, NumberType::float32}};
+  for (const auto& [number, type] : types)
+    if (number == component_type) return type;
+  file.reject(
+      fmt::format("componentType {} is not a component type of glTF; the file is damaged, export it again", component_type));
 }
 
 /// What a whole number of that type stands for once it is normalized (glTF 2.0, section 3.11; the least of the signed ones is
 /// -1).
-double normalized_value(double value, std::uint64_t type) {
-  switch (type) {
-    case int8:
-      return std::max(value / 127.0, -1.0);
-    case uint8:
-      return value / 255.0;
-    case int16:
-      return std::max(value / 32767.0, -1.0);
-    case uint16:
-      return value / 65535.0;
-    default:
-      return value;
+double normalized_value(double value, NumberType type) {
+  constexpr double largest[] = {127.0, 255.0, 32767.0, 65535.0};
+  return type > NumberType::uint16 ? value : std::max(value / largest[static_cast<int>(type)], -1.0);
+}
+
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::uint8_t no_digit = 64;
+
+constexpr std::array<std::uint8_t, 256> digit_values() {
+  std::array<std::uint8_t, 256> values;
+  values.fill(no_digit);
+  for (std::size_t i = 0; i < base64_digits.size(); ++i) values[static_cast<unsigned char>(base64_digits[i])] = i & 63;
+  return values;
+}
+
+std::optional<std::string> decoded_base64(std::string_view text) {
+  static constexpr std::array<std::uint8_t, 256> values = digit_values();
+  while (text.ends_with('=')) text.remove_suffix(1);
+  if (text.size() % 4 == 1) return std::nullopt;
+  std::string bytes;
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::uint8_t value = values[static_cast<unsigned char>(text[i])];
+    if (value == no_digit) return std::nullopt;
+    bits = bits << 6 | value;
+    if (const std::size_t left = 6 - 2 * (i % 4); i % 4 != 0) bytes += static_cast<char>(bits >> left & 0xFF);
   }
+  return bytes;
+}
+
+std::string without_percents(std::string_view text) {
+  std::string decoded;
+  for (; !text.empty(); text.remove_prefix(1)) {
+    unsigned value = 0;
+    const char* digits = text.data() + 1;
+    const bool is_code =
+        text.front() == '%' && text.size() > 2 && std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2;
+    decoded += is_code ? static_cast<char>(value) : text.front();
+    if (is_code) text.remove_prefix(2);
+  }
+  return decoded;
+}
+
+/// The bytes that a `data:` address in base64 stands for (RFC 2397, RFC 4648); nothing if they are damaged or written in another
+/// way.
+std::optional<std::string> data_of_uri(std::string_view uri) {
+  static constexpr std::string_view mark = ";base64,";
+  const std::size_t end = uri.find(mark);
+  if (!uri.starts_with("data:") || end == std::string_view::npos) return std::nullopt;
+  return decoded_base64(uri.substr(end + mark.size()));
+}
+
+/// The relative path that an address stands for (RFC 3986), `%20` and the like decoded; nothing if it leads out of the folder or
+/// is no path.
+std::optional<std::string> path_of_uri(std::string_view uri) {
+  if (uri.find(':') != std::string_view::npos) return std::nullopt;
+  const std::string path = without_percents(uri);
+  const std::filesystem::path file = std::filesystem::path(path).lexically_normal();
+  const bool outside = file.is_absolute() || file.empty() || *file.begin() == "..";
+  const bool printable = is_utf8(path) && std::ranges::all_of(path, [](char c) { return c < 0 || (c >= ' ' && c != '\x7F'); });
+  return outside || !printable ? std::nullopt : std::optional(path);
 }
 
 }  // namespace
@@ -130,7 +157,7 @@ GltfData::Layout GltfData::layout(const Json& accessor, std::uint64_t components
   Layout layout{{},         document_.required_whole(accessor, "count"),
                 components, document_.required_whole(accessor, "componentType"),
                 0,          normalized && *normalized == true};
-  const std::uint64_t element_bytes = components * component_bytes(document_.file, layout.component_type);
+  const std::uint64_t element_bytes = components * size_of(number_type(document_.file, layout.component_type));
   // So many numbers that stand nowhere would be named by as many indices.
   if (layout.count > bytes_) document_.file.reject("an accessor counts more elements than the file has bytes; export it again");
   if (!find(accessor, "bufferView") || layout.count == 0) return layout;
@@ -145,15 +172,15 @@ GltfData::Layout GltfData::layout(const Json& accessor, std::uint64_t components
 
 double GltfData::value(const Layout& layout, std::uint64_t element, std::uint64_t component) const {
   if (layout.bytes.empty()) return 0.0;
-  const std::uint64_t size = component_bytes(document_.file, layout.component_type);
-  const double raw = raw_value(layout.bytes.data() + element * layout.stride + component * size, layout.component_type);
-  return layout.normalized ? normalized_value(raw, layout.component_type) : raw;
+  const NumberType type = number_type(document_.file, layout.component_type);
+  const double raw = number_at(type, layout.bytes.data() + element * layout.stride + component * size_of(type));
+  return layout.normalized ? normalized_value(raw, type) : raw;
 }
 
 /// The indices or the values of a sparse accessor, which stand without gaps.
 GltfData::Layout GltfData::sparse_layout(const Json& part, Layout like) const {
   const std::uint64_t index = document_.required_whole(part, "bufferView");
-  like.stride = like.components * component_bytes(document_.file, like.component_type);
+  like.stride = like.components * size_of(number_type(document_.file, like.component_type));
   if (like.count > bytes_)
     document_.file.reject("a sparse accessor counts more elements than the file has bytes; export it again");
   like.bytes = view_part(index, document_.whole(part, "byteOffset", 0), like.count * like.stride);

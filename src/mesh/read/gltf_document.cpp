@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
 
 namespace raytube {
 
@@ -16,11 +16,7 @@ namespace {
 constexpr std::size_t glb_head_bytes = 12, chunk_head_bytes = 8;
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
-std::uint32_t word_at(std::string_view bytes, std::size_t position) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + position, sizeof word);
-  return word;
-}
+std::uint32_t word_at(std::string_view bytes, std::size_t position) { return number_at<std::uint32_t>(bytes.data() + position); }
 
 /// Takes the next chunk of a binary file off `bytes`, if it is of that type.
 std::string_view take_chunk(const MeshFile& file, std::string_view& bytes, std::uint32_t type) {

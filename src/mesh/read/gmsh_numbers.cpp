@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
 
 namespace raytube {
 
@@ -42,12 +40,7 @@ void GmshNumbers::begin() {
 
 template <class Number>
 Number GmshNumbers::binary() {
-  std::array<char, sizeof(Number)> bytes;
-  std::memcpy(bytes.data(), scanner_.raw_bytes(bytes.size()).data(), bytes.size());
-  if (swapped_) std::ranges::reverse(bytes);
-  Number number;
-  std::memcpy(&number, bytes.data(), sizeof number);
-  return number;
+  return number_at<Number>(scanner_.raw_bytes(sizeof(Number)).data(), swapped_);
 }
 
 std::int64_t GmshNumbers::integer() {

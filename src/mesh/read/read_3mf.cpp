@@ -9,11 +9,10 @@
 
 #include "core/text.h"
 #include "mesh/files/mesh_file.h"
+#include "mesh/files/packed.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/files/xml_reader.h"
-#include "mesh/files/zip_archive.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/soup_instances.h"
 
 namespace raytube {
 

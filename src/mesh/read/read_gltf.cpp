@@ -11,7 +11,6 @@
 #include "mesh/read/formats.h"
 #include "mesh/read/gltf_data.h"
 #include "mesh/read/gltf_document.h"
-#include "mesh/read/soup_instances.h"
 
 namespace raytube {
 

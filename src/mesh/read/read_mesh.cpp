@@ -3,28 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 
 #include "core/error.h"
 #include "core/text.h"
 #include "mesh/files/file_contents.h"
-#include "mesh/files/gzip.h"
 #include "mesh/files/mesh_file.h"
-#include "mesh/read/coordinate_step.h"
+#include "mesh/files/packed.h"
 #include "mesh/read/formats.h"
 
 namespace raytube {
 
 namespace {
 
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
+std::string ending_of(const std::filesystem::path& path) { return lower_case(path.extension().string()); }
 
 MeshParser parser_of(std::string_view ending) {
   if (ending == ".stl") return parse_stl;

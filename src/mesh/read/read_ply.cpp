@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <optional>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
 
@@ -13,13 +13,12 @@ namespace raytube {
 
 namespace {
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class Encoding { ascii, little_endian, big_endian };
 
 struct Property {
   std::string name;
-  Scalar type;
-  std::optional<Scalar> count_type;  // of a list
+  NumberType type;
+  std::optional<NumberType> count_type;  // of a list
 };
 
 struct Element {
@@ -39,12 +38,14 @@ struct Header {
   std::vector<Element> elements;
 };
 
-Scalar scalar_type(const TextScanner& scanner, std::string_view word) {
-  static constexpr std::pair<std::string_view, Scalar> names[] = {
-      {"char", Scalar::int8},     {"int8", Scalar::int8},       {"uchar", Scalar::uint8},    {"uint8", Scalar::uint8},
-      {"short", Scalar::int16},   {"int16", Scalar::int16},     {"ushort", Scalar::uint16},  {"uint16", Scalar::uint16},
-      {"int", Scalar::int32},     {"int32", Scalar::int32},     {"uint", Scalar::uint32},    {"uint32", Scalar::uint32},
-      {"float", Scalar::float32}, {"float32", Scalar::float32}, {"double", Scalar::float64}, {"float64", Scalar::float64}};
+NumberType scalar_type(const TextScanner& scanner, std::string_view word) {
+  static constexpr std::pair<std::string_view, NumberType> names[] = {
+      {"char", NumberType::int8},      {"int8", NumberType::int8},       {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},    {"short", NumberType::int16},     {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},   {"int", NumberType::int32},
+      {"int32", NumberType::int32},    {"uint", NumberType::uint32},     {"uint32", NumberType::uint32},
+      {"float", NumberType::float32},  {"float32", NumberType::float32}, {"double", NumberType::float64},
+      {"float64", NumberType::float64}};
   for (const auto& [name, type] : names)
     if (name == word) return type;
   scanner.reject(fmt::format("'{}' is not a PLY number type; correct the header or export the mesh again", quotable(word)));
@@ -102,33 +103,18 @@ Header read_header(TextScanner& scanner) {
   scanner.reject("the header has no 'end_header'; the file is cut short, export it again");
 }
 
-/// The numbers after the header, one by one. Every PLY number type fits a double exactly.
+/// The numbers after the header, one by one.
 class Body {
  public:
   Body(const MeshFile& file, TextScanner& scanner, Encoding encoding)
       : file_(file), scanner_(scanner), encoding_(encoding), position_(scanner.position()) {}
 
-  double next(Scalar type) {
+  double next(NumberType type) {
     if (encoding_ == Encoding::ascii) return written(type);
-    switch (type) {
-      case Scalar::int8:
-        return binary<std::int8_t>();
-      case Scalar::uint8:
-        return binary<std::uint8_t>();
-      case Scalar::int16:
-        return binary<std::int16_t>();
-      case Scalar::uint16:
-        return binary<std::uint16_t>();
-      case Scalar::int32:
-        return binary<std::int32_t>();
-      case Scalar::uint32:
-        return binary<std::uint32_t>();
-      case Scalar::float32:
-        return binary<float>();
-      case Scalar::float64:
-        return binary<double>();
-    }
-    return 0.0;
+    const std::size_t size = size_of(type);
+    if (file_.bytes.size() - position_ < size) file_.reject("ends before its last number; it is cut short, export it again");
+    position_ += size;
+    return number_at(type, file_.bytes.data() + position_ - size, encoding_ == Encoding::big_endian);
   }
 
   /// Numbers beyond the last one announced would be lost in silence. Blanks and zeros that pad a file are none.
@@ -141,23 +127,10 @@ class Body {
  private:
   static constexpr std::string_view padding{"\0 \t\r\n", 5};
 
-  double written(Scalar type) {
+  double written(NumberType type) {
     const std::string_view word = scanner_.word_of_any_line();
-    if (type == Scalar::float32 || type == Scalar::float64) scanner_.note_digits(word);
+    if (type == NumberType::float32 || type == NumberType::float64) scanner_.note_digits(word);
     return scanner_.number(word);
-  }
-
-  template <class Number>
-  Number binary() {
-    std::array<char, sizeof(Number)> bytes;
-    if (file_.bytes.size() - position_ < bytes.size())
-      file_.reject("ends before its last number; it is cut short, export it again");
-    std::memcpy(bytes.data(), file_.bytes.data() + position_, bytes.size());
-    position_ += bytes.size();
-    if (encoding_ == Encoding::big_endian) std::reverse(bytes.begin(), bytes.end());
-    Number number;
-    std::memcpy(&number, bytes.data(), sizeof number);
-    return number;
   }
 
   const MeshFile& file_;

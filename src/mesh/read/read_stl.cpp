@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
 
@@ -86,9 +87,7 @@ class SoupBuilder {
 };
 
 std::uint64_t announced_facets(const MeshFile& file) {
-  std::uint32_t count = 0;
-  std::memcpy(&count, file.bytes.data() + header_bytes - sizeof count, sizeof count);
-  return count;
+  return number_at<std::uint32_t>(file.bytes.data() + header_bytes - sizeof(std::uint32_t));
 }
 
 PolygonSoup parse_binary(const MeshFile& file) {

@@ -105,9 +105,7 @@ class FaceGroups {
   }
 
   /// All corners are on the outline, as those of a polygon in the file.
-  bool is_polygon(std::uint32_t group) const {
-    return triangles(group).size() + 2 == outline(group).size();
-  }
+  bool is_polygon(std::uint32_t group) const { return triangles(group).size() + 2 == outline(group).size(); }
 
  private:
   // Entries that begin with this number, of a sorted list. As a span: clang 14 does not know the subranges of GCC 12's library.
@@ -208,17 +206,13 @@ void add_splits(std::span<const dvec3> vertices, const Chains& outline, const Ch
 }
 
 /// One split for an edge, the first of those that its faces ask for; others follow in a later round.
-bool split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
+void split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
   const auto ends = [](const EdgeSplit& split) { return Ends(split.low, split.high); };
   std::ranges::stable_sort(splits, {}, ends);
-  const auto repeated = std::unique(splits.begin(), splits.end(),
-                                    [&](const EdgeSplit& a, const EdgeSplit& b) { return ends(a) == ends(b); });
+  const auto repeated =
+      std::unique(splits.begin(), splits.end(), [&](const EdgeSplit& a, const EdgeSplit& b) { return ends(a) == ends(b); });
   splits.erase(repeated, splits.end());
-  for (const EdgeSplit& split : splits) report.t_junctions_split += split.vertices.size();
-  const SplitCount count = apply_splits(splits, facets);
-  report.triangles_added += count.added;
-  report.triangles_degenerate += count.vanished;
-  return !splits.empty();
+  apply_splits(std::move(splits), facets, report);
 }
 
 std::vector<Triangle> corners_of(const FaceGroups& groups, const Facets& facets, std::uint32_t group) {
@@ -276,9 +270,12 @@ bool align(std::span<const dvec3> vertices, const FaceGroups& groups, Facets& fa
       }
     }
   }
-  if (!splits.empty()) return split_edges(std::move(splits), facets, report);
-  if (replaces) replace_triangles(groups, pattern, facets, report);
-  return false;
+  const bool again = !splits.empty();
+  if (again)
+    split_edges(std::move(splits), facets, report);
+  else if (replaces)
+    replace_triangles(groups, pattern, facets, report);
+  return again;
 }
 
 /// From the line of an edge to a point, square to it.
@@ -290,15 +287,8 @@ dvec3 away_from(const EdgeTable::Edge& edge, std::span<const dvec3> vertices, co
 /// Two faces of one outline share its corners. There either an edge has more than two sides, or both meet at a fold, or the
 /// vertex has two fans of triangles that no edge joins; a surface without any of these lies on itself nowhere.
 bool may_lie_on_itself(std::span<const dvec3> vertices, const Facets& facets, const EdgeTable& edges) {
-  std::vector<std::uint32_t> fans(3 * facets.triangles.size());  // trees of corners
-  for (std::uint32_t i = 0; i < fans.size(); ++i) fans[i] = i;
-  std::size_t count = fans.size();
-  const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    a = find_root(fans, a), b = find_root(fans, b);
-    if (a == b) return;
-    fans[a] = b;
-    --count;
-  };
+  std::size_t count = 3 * facets.triangles.size();
+  DisjointSets fans(count);  // of corners
   const double fold = std::cos(2.0 * most_warp);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeTable::Edge edge = edges[e];
@@ -315,7 +305,10 @@ bool may_lie_on_itself(std::span<const dvec3> vertices, const Facets& facets, co
     }
     const double cosine = glm::dot(ways[0], ways[1]);
     if (cosine > 0.0 && cosine * cosine > fold * fold * glm::dot(ways[0], ways[0]) * glm::dot(ways[1], ways[1])) return true;
-    for (int end = 0; end < 2; ++end) join(corners[0][end], corners[1][end]);
+    for (int end = 0; end < 2; ++end) {
+      if (fans.root(corners[0][end]) != fans.root(corners[1][end])) --count;
+      fans.join(corners[1][end], corners[0][end]);
+    }
   }
   std::vector<bool> used(vertices.size(), false);
   for (const Triangle& t : facets.triangles)

@@ -6,19 +6,12 @@ namespace raytube {
 
 namespace {
 
-void split(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
-  for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
-  const SplitCount count = apply_splits(splits, facets);
-  report.triangles_added += count.added;
-  report.triangles_degenerate += count.vanished;
-}
-
 bool remove_slivers(std::span<const dvec3> vertices, const EdgeTable& edges, Facets& facets, double distance,
                     MeshReport& report) {
   SliverRemoval removal = find_slivers(vertices, facets.triangles, edges, distance);
   if (removal.triangles.empty()) return false;
   report.triangles_degenerate += facets.drop_if([&](std::size_t i) { return std::ranges::binary_search(removal.triangles, i); });
-  split(std::move(removal.splits), facets, report);
+  apply_splits(std::move(removal.splits), facets, report);
   return true;
 }
 
@@ -26,7 +19,7 @@ bool split_t_junctions(std::span<const dvec3> vertices, const EdgeTable& edges, 
                        MeshReport& report) {
   std::vector<EdgeSplit> splits = find_t_junctions(vertices, facets.triangles, edges, distance);
   if (splits.empty()) return false;
-  split(std::move(splits), facets, report);
+  apply_splits(std::move(splits), facets, report);
   return true;
 }
 

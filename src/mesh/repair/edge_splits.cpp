@@ -64,20 +64,19 @@ class Touched {
 
 }  // namespace
 
-SplitCount apply_splits(std::vector<EdgeSplit>& splits, Facets& facets) {
+void apply_splits(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
   std::ranges::sort(splits, {}, [](const EdgeSplit& s) { return std::pair(s.low, s.high); });
+  for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
   const Touched touched(splits);
-  SplitCount count;
   Facets result;
   result.triangles.reserve(facets.triangles.size());
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const Triangle& t = facets.triangles[i];
     const std::vector<Triangle> pieces = touched(t) ? pieces_of(t, splits) : std::vector{t};
-    pieces.empty() ? ++count.vanished : count.added += pieces.size() - 1;
+    pieces.empty() ? ++report.triangles_degenerate : report.triangles_added += pieces.size() - 1;
     for (const Triangle& piece : pieces) result.add(piece, facets, i);
   }
   facets = std::move(result);
-  return count;
 }
 
 }  // namespace raytube

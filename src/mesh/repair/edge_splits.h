@@ -15,13 +15,8 @@ struct EdgeSplit {
   std::vector<std::uint32_t> vertices;
 };
 
-struct SplitCount {
-  std::uint64_t added = 0;     // triangles
-  std::uint64_t vanished = 0;  // triangles of which nothing is left but pieces with repeated corners
-};
-
-/// Cuts the triangles along the splits, of which there is one for an edge at most; pieces are made of what the triangle was.
-/// `splits` gets sorted.
-SplitCount apply_splits(std::vector<EdgeSplit>& splits, Facets& facets);
+/// Cuts the triangles along the splits, of which there is one for an edge at most; pieces are made of what the triangle was, and
+/// those with repeated corners vanish. Fills t_junctions_split, triangles_added and triangles_degenerate of the report.
+void apply_splits(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report);
 
 }  // namespace raytube

@@ -134,23 +134,22 @@ class PatchFinder {
  private:
   /// A number for each triangle, in common with those of its patch that it reaches across edges without leaving its material.
   std::vector<std::uint32_t> connected_pieces(std::span<const std::uint32_t> materials) const {
-    std::vector<std::uint32_t> parents(mesh_.triangles.size());
-    std::iota(parents.begin(), parents.end(), 0u);
-    for (std::uint32_t t = 0; t < parents.size(); ++t)
+    DisjointSets pieces(mesh_.triangles.size());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t next = neighbour(t, k);
         if (next == no_index || mesh_.triangle_patch[next] != mesh_.triangle_patch[t] || materials[next] != materials[t])
           continue;
-        parents[find_root(parents, next)] = find_root(parents, t);
+        pieces.join(t, next);
       }
-    return number_sets(std::move(parents));
+    return pieces.numbers();
   }
 
   /// To where these planes meet, three at most, in order of their largest triangles: to each of them along its normal without
   /// leaving those before (Gram-Schmidt). A plane that is almost one of these is left alone.
   void put_on_planes(std::span<const std::pair<std::uint32_t, std::uint32_t>> on, double extent) {
     dvec3& vertex = mesh_.vertices[on[0].first];
-    const auto off = [&](const Patch& plane) { return glm::dot(plane.normal, vertex) - plane.offset; };
+    const auto off = [&](const Patch& plane) { return plane.height(vertex); };
     const auto is_off = [&](const auto& entry) { return std::abs(off(mesh_.patches[entry.second])) > exact * extent; };
     if (std::ranges::none_of(on, is_off)) return;
     const dvec3 as_read = vertex;
@@ -290,8 +289,7 @@ class PatchFinder {
 
   double distance_from(const Patch& plane, const Triangle& t) const {
     double farthest = 0.0;
-    for (const std::uint32_t v : t)
-      farthest = std::max(farthest, std::abs(glm::dot(plane.normal, mesh_.vertices[v]) - plane.offset));
+    for (const std::uint32_t v : t) farthest = std::max(farthest, std::abs(plane.height(mesh_.vertices[v])));
     return farthest;
   }
 

@@ -46,44 +46,25 @@ std::vector<Leaf> sorted_leaves(std::span<const dvec3> vertices, std::span<const
   return leaves;
 }
 
-/// The corners of all triangles, joined where their triangles stay together.
-class CornerSets {
- public:
-  explicit CornerSets(std::span<const Triangle> triangles) : triangles_(triangles), parents_(3 * triangles.size()) {
-    for (std::uint32_t i = 0; i < parents_.size(); ++i) parents_[i] = i;
-  }
-
-  /// The two ends of the edge, each in both triangles.
-  void join(const EdgeTable::Edge& edge, const EdgeTable::Side& a, const EdgeTable::Side& b) {
-    for (const std::uint32_t vertex : {edge.low, edge.high})
-      parents_[find_root(parents_, corner(a.triangle, vertex))] = find_root(parents_, corner(b.triangle, vertex));
-  }
-
-  std::vector<std::uint32_t> numbers() { return number_sets(std::move(parents_)); }
-
- private:
-  std::uint32_t corner(std::uint32_t triangle, std::uint32_t vertex) const {
-    const Triangle& t = triangles_[triangle];
-    return 3 * triangle + static_cast<std::uint32_t>(std::ranges::find(t, vertex) - t.begin());
-  }
-
-  std::span<const Triangle> triangles_;
-  std::vector<std::uint32_t> parents_;
-};
-
 }  // namespace
 
 SeparateSoup separate_bodies(std::span<const dvec3> vertices, std::span<const Triangle> triangles) {
   const EdgeTable edges(triangles, vertices.size());
-  CornerSets corners(triangles);
+  DisjointSets corners(3 * triangles.size());
+  const auto join = [&](const EdgeTable::Edge& edge, const EdgeTable::Side& a, const EdgeTable::Side& b) {
+    const auto corner = [&](std::uint32_t triangle, std::uint32_t vertex) {
+      return 3 * triangle + corner_at(triangles[triangle], vertex);
+    };
+    for (const std::uint32_t vertex : {edge.low, edge.high}) corners.join(corner(b.triangle, vertex), corner(a.triangle, vertex));
+  };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const EdgeTable::Edge edge = edges[e];
-    if (edge.sides.size() == 2) corners.join(edge, edge.sides[0], edge.sides[1]);
+    if (edge.sides.size() == 2) join(edge, edge.sides[0], edge.sides[1]);
     if (edge.sides.size() <= 2) continue;
     const std::vector<Leaf> leaves = sorted_leaves(vertices, triangles, edge);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const Leaf &leaf = leaves[i], &next = leaves[(i + 1) % leaves.size()];
-      if (!leaf.forward && next.forward) corners.join(edge, leaf.side, next.side);
+      if (!leaf.forward && next.forward) join(edge, leaf.side, next.side);
     }
   }
   const std::vector<std::uint32_t> numbers = corners.numbers();

@@ -32,9 +32,8 @@ EdgeSplit split_at(std::span<const dvec3> vertices, const EdgeTable::Edge& edge,
 
 /// Of a triangle at the edge; the edge's own ends are.
 bool is_corner(std::uint32_t vertex, const EdgeTable::Edge& edge, std::span<const Triangle> triangles) {
-  return std::ranges::any_of(edge.sides, [&](const EdgeTable::Side& side) {
-    return std::ranges::find(triangles[side.triangle], vertex) != triangles[side.triangle].end();
-  });
+  return std::ranges::any_of(edge.sides,
+                             [&](const EdgeTable::Side& side) { return has_corner(triangles[side.triangle], vertex); });
 }
 
 }  // namespace

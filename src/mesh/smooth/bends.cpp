@@ -94,8 +94,7 @@ class BendFinder {
   }
 
   double width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
-    return glm::length(area_vector(mesh_.vertices, mesh_.triangles[side.triangle])) /
-           glm::distance(mesh_.vertices[edge.high], mesh_.vertices[edge.low]);
+    return mesh_.twice_area(side.triangle) / glm::distance(mesh_.vertices[edge.high], mesh_.vertices[edge.low]);
   }
 
   bool is_bend(const EdgeTable::Edge& edge) const {

@@ -49,24 +49,22 @@ class Finder {
   std::uint32_t vertex_of_corner(std::uint32_t corner) const { return mesh_.triangles[corner / 3][corner % 3]; }
 
   std::uint32_t corner_of(std::uint32_t triangle, std::uint32_t vertex) const {
-    const Triangle& t = mesh_.triangles[triangle];
-    return 3 * triangle + static_cast<std::uint32_t>(std::ranges::find(t, vertex) - t.begin());
+    return 3 * triangle + corner_at(mesh_.triangles[triangle], vertex);
   }
 
   void group_corners() {
-    std::vector<std::uint32_t> parents(3 * mesh_.triangles.size());
-    for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = i;
+    DisjointSets groups(3 * mesh_.triangles.size());
     const EdgeTable& edges = creases_.edges();
     for (std::size_t e = 0; e < edges.size(); ++e) {
       if (!creases_.crossable(e)) continue;
       for (const std::uint32_t v : {edges[e].low, edges[e].high}) {
         const std::uint32_t a = corner_of(edges[e].sides[0].triangle, v), b = corner_of(edges[e].sides[1].triangle, v);
-        parents[find_root(parents, b)] = find_root(parents, a);
+        groups.join(a, b);
       }
     }
-    found_.group = number_sets(std::move(parents));
+    found_.group = groups.numbers();
     groups_ = found_.group.empty() ? 0 : *std::ranges::max_element(found_.group) + 1;
-    corners_ = triangle_rows(groups_, found_.group, [](std::uint32_t group) { return std::array{group}; });
+    corners_ = triangle_rows(groups_, found_.group);
   }
 
   void find_slivers() {
@@ -85,7 +83,7 @@ class Finder {
     std::vector<double> areas(creases_.planes(), 0.0);
     std::vector<Box> boxes(creases_.planes());
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      areas[creases_.plane(t)] += glm::length(area_vector(mesh_.vertices, mesh_.triangles[t]));
+      areas[creases_.plane(t)] += mesh_.twice_area(t);
       for (const std::uint32_t v : mesh_.triangles[t]) boxes[creases_.plane(t)].add(mesh_.vertices[v]);
     }
     for (std::size_t p = 0; p < areas.size(); ++p) areas[p] /= boxes[p].diagonal();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include "mesh/features/patch_borders.h"
@@ -18,18 +17,17 @@ bool is_one_plane(const Patch& a, const Patch& b) { return a.normal == b.normal 
 
 // For each patch a number in common with those that it would be one patch with if all were made of the same.
 std::vector<std::uint32_t> uncut_patches(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parents(mesh.patches.size());
-  std::iota(parents.begin(), parents.end(), 0u);
+  DisjointSets planes(mesh.patches.size());
   const auto is_first_material = [&](const Patch& patch) { return patch.material == mesh.patches[0].material; };
-  if (std::ranges::all_of(mesh.patches, is_first_material)) return parents;
+  if (std::ranges::all_of(mesh.patches, is_first_material)) return planes.numbers();
   const EdgeTable& edges = mesh.edges();
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].sides.size() != 2) continue;
     const std::uint32_t a = mesh.triangle_patch[edges[e].sides[0].triangle], b = mesh.triangle_patch[edges[e].sides[1].triangle];
     if (mesh.patches[a].material == mesh.patches[b].material || !is_one_plane(mesh.patches[a], mesh.patches[b])) continue;
-    parents[find_root(parents, b)] = find_root(parents, a);
+    planes.join(a, b);
   }
-  return number_sets(std::move(parents));
+  return planes.numbers();
 }
 
 // The corners of the convex hull of points of one plane (Andrew 1979, Another efficient algorithm for convex hulls in two
@@ -57,34 +55,18 @@ std::vector<std::uint32_t> hull_of(const std::vector<dvec3>& vertices, std::vect
   return hull;
 }
 
-// The points on the borders of the patches of each plane.
-PlaneOutlines borders_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& plane) {
-  const PatchBorders borders(mesh);
-  PlaneOutlines found{std::vector<std::uint32_t>(plane.empty() ? 1 : *std::ranges::max_element(plane) + 2, 0), {}};
-  for (std::uint32_t patch = 0; patch < plane.size(); ++patch)
-    found.first[plane[patch] + 1] += static_cast<std::uint32_t>(borders[patch].size());
-  std::partial_sum(found.first.begin(), found.first.end(), found.first.begin());
-  found.vertices.resize(found.first.back());
-  std::vector<std::uint32_t> next(found.first.begin(), found.first.end() - 1);
-  for (std::uint32_t patch = 0; patch < plane.size(); ++patch)
-    for (const std::uint32_t vertex : borders[patch]) found.vertices[next[plane[patch]]++] = vertex;
-  return found;
-}
-
 PlaneOutlines outlines_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& plane) {
-  const PlaneOutlines borders = borders_of(mesh, plane);
-  std::vector<std::uint32_t> patch_of(borders.first.size() - 1);
-  for (std::uint32_t patch = 0; patch < plane.size(); ++patch) patch_of[plane[patch]] = patch;
+  const PatchBorders borders(mesh);
+  const std::size_t planes = plane.empty() ? 0 : *std::ranges::max_element(plane) + 1;
+  const TriangleRows patches = triangle_rows(planes, plane);
   PlaneOutlines outlines{{0}, {}};
-  outlines.first.reserve(borders.first.size());
-  for (std::uint32_t p = 0; p < patch_of.size(); ++p) {
-    const auto begin = borders.vertices.begin() + borders.first[p], end = borders.vertices.begin() + borders.first[p + 1];
-    if (end - begin < 4) {
-      outlines.vertices.insert(outlines.vertices.end(), begin, end);
-    } else {
-      const std::vector<std::uint32_t> hull = hull_of(mesh.vertices, {begin, end}, mesh.patches[patch_of[p]].normal);
-      outlines.vertices.insert(outlines.vertices.end(), hull.begin(), hull.end());
-    }
+  outlines.first.reserve(planes + 1);
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t p = 0; p < planes; ++p) {
+    corners.clear();
+    for (const std::uint32_t patch : patches[p]) corners.insert(corners.end(), borders[patch].begin(), borders[patch].end());
+    if (corners.size() >= 4) corners = hull_of(mesh.vertices, corners, mesh.patches[patches[p].back()].normal);
+    outlines.vertices.insert(outlines.vertices.end(), corners.begin(), corners.end());
     outlines.first.push_back(static_cast<std::uint32_t>(outlines.vertices.size()));
   }
   return outlines;
@@ -119,7 +101,7 @@ bool Creases::is_crease(const EdgeTable::Edge& edge) const {
 
 double Creases::width(const EdgeTable::Edge& edge, const EdgeTable::Side& side) const {
   const double length = glm::length(mesh_.vertices[edge.high] - mesh_.vertices[edge.low]);
-  return glm::length(area_vector(mesh_.vertices, mesh_.triangles[side.triangle])) / length;
+  return mesh_.twice_area(side.triangle) / length;
 }
 
 bool Creases::reaches(std::uint32_t plane, const EdgeTable::Edge& edge, double width) const {

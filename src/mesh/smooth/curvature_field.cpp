@@ -17,7 +17,7 @@ CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& s
   std::vector<double> areas(turns_.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (surfaces.region(t) == no_index) continue;
-    const double area = glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+    const double area = mesh.twice_area(t);
     const glm::dmat3 turn = of_facet(t);
     for (int c = 0; c < 3; ++c) {
       turns_[surfaces.normal_index(t, c)] += area * turn;

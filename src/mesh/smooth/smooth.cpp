@@ -115,17 +115,16 @@ void SmoothSurfaces::find_regions(const TriangleMesh& mesh, const Creases& creas
   const auto bends = [&](std::uint32_t t) { return !is_plane[creases.plane(t)]; };
   const auto material = [&](std::uint32_t t) { return mesh.patch_of(t).material; };
   chords.boundary.assign(3 * mesh.triangles.size(), true);
-  std::vector<std::uint32_t> parents(mesh.triangles.size());
-  for (std::uint32_t i = 0; i < parents.size(); ++i) parents[i] = i;
+  DisjointSets surfaces(mesh.triangles.size());
   for (std::size_t e = 0; e < creases.edges().size(); ++e) {
     if (!creases.crossable(e)) continue;
     const auto sides = creases.edges()[e].sides;
     const std::uint32_t a = sides[0].triangle, b = sides[1].triangle;
     if (!bends(a) || !bends(b) || material(a) != material(b)) continue;
     for (const EdgeTable::Side& side : sides) chords.boundary[3 * std::size_t{side.triangle} + side.corner] = false;
-    parents[find_root(parents, b)] = find_root(parents, a);
+    surfaces.join(a, b);
   }
-  chords.region = number_sets(std::move(parents));
+  chords.region = surfaces.numbers();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     if (!bends(t)) chords.region[t] = no_index;
 }
@@ -154,7 +153,7 @@ void SmoothSurfaces::keep_flat(double max_rise) {
       doubtful(mesh_.triangles.size(), 0.0);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (region_[t] == no_index) continue;
-    const double area = glm::length(area_vector(mesh_.vertices, mesh_.triangles[t]));
+    const double area = mesh_.twice_area(t);
     risen[region_[t]] += area * rise(t);
     areas[region_[t]] += area;
     if (is_doubtful(t)) doubtful[region_[t]] += area;
@@ -203,9 +202,8 @@ std::optional<dvec2> meet(const BentFacet& s, const dvec3& origin, const dvec3& 
 }
 
 LocalSurface facet_plane(const Patch& patch, const dvec3& origin, const dvec3& direction) {
-  const double facing = glm::dot(patch.normal, direction);
-  const double distance = (patch.offset - glm::dot(patch.normal, origin)) / facing;
-  return {origin + distance * direction, facing < 0.0 ? patch.normal : -patch.normal, glm::dmat3(0.0)};
+  const bool from_front = glm::dot(patch.normal, direction) < 0.0;
+  return {origin + patch.distance(origin, direction) * direction, from_front ? patch.normal : -patch.normal, glm::dmat3(0.0)};
 }
 
 // Second fundamental form of a parametrised surface with tangents a1, a2 and second derivatives r11, r12, r22 (do Carmo 1976,
@@ -234,9 +232,7 @@ SurfacePoint BentFacet::over(const dvec3& r) const {
 }
 
 BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
-  const Triangle& t = mesh_.triangles[triangle];
-  return {{mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]},
-          {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
+  return {mesh_.corners(triangle), {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
 }
 
 LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {

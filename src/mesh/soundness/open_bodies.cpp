@@ -33,12 +33,11 @@ Border free_edges(const EdgeTable& edges, std::vector<std::uint32_t>& triangles)
 void add_borders(const TriangleMesh& mesh, std::vector<OpenComponent>& components) {
   std::vector<std::uint32_t> triangles;
   const Border free = free_edges(mesh.edges(), triangles);
-  std::vector<std::uint32_t> parents(mesh.vertices.size());
-  std::iota(parents.begin(), parents.end(), 0u);
-  for (const auto& [low, high] : free) parents[find_root(parents, low)] = find_root(parents, high);
+  DisjointSets joined(mesh.vertices.size());
+  for (const auto& [low, high] : free) joined.join(high, low);
   std::map<std::array<std::uint32_t, 2>, Border> borders;
   for (std::size_t i = 0; i < free.size(); ++i)
-    borders[{mesh.triangle_component[triangles[i]], find_root(parents, free[i][0])}].push_back(free[i]);
+    borders[{mesh.triangle_component[triangles[i]], joined.root(free[i][0])}].push_back(free[i]);
   for (auto& [key, border] : borders) components[key[0]].borders.push_back(std::move(border));
 }
 
@@ -48,7 +47,7 @@ std::vector<OpenComponent> components_of(const TriangleMesh& mesh, const std::ve
   for (std::size_t c = 0; c < components.size(); ++c) components[c].body = !mesh.components[c].closed && !enclosed[c];
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     OpenComponent& component = components[mesh.triangle_component[t]];
-    component.area += 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+    component.area += 0.5 * mesh.twice_area(t);
     const std::uint32_t material = mesh.patch_of(t).material;
     if (material < materials.size() && materials[material].transmits()) component.body = false;
   }

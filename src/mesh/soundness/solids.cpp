@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "mesh/model/triangle_pairs.h"
 #include "mesh/soundness/contacts.h"
 
 namespace raytube {
@@ -46,18 +47,15 @@ void check_whole_bodies(const TriangleMesh& mesh, std::span<const Material> mate
   }
 }
 
-// Solid angle of a component from a point over 4 pi: 1 inside, 0 outside (Van Oosterom & Strackee 1983, IEEE Trans. BME-30, 125).
+// Solid angle of a component from a point over 4 pi: 1 inside, 0 outside.
 double winding_about(const TriangleMesh& mesh, std::uint32_t component, const dvec3& point) {
   double angle = 0.0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.triangle_component[t] != component) continue;
-    const auto& [i, j, k] = mesh.triangles[t];
-    const dvec3 a = mesh.vertices[i] - point, b = mesh.vertices[j] - point, c = mesh.vertices[k] - point;
-    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-    angle +=
-        std::atan2(glm::dot(a, glm::cross(b, c)), la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    const auto [a, b, c] = mesh.corners(t);
+    angle += solid_angle({a - point, b - point, c - point});
   }
-  return angle / (2.0 * pi);
+  return angle / (4.0 * pi);
 }
 
 void check_contacts(const FaceTree& faces, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {

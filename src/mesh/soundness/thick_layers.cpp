@@ -33,7 +33,7 @@ std::vector<LayeredBody> bodies_of(const TriangleMesh& mesh, std::span<const Mat
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     LayeredBody& body = bodies[mesh.triangle_component[t]];
     const std::uint32_t patch = mesh.triangle_patch[t], material = mesh.patches[patch].material;
-    const double area = 0.5 * glm::length(area_vector(mesh.vertices, mesh.triangles[t]));
+    const double area = 0.5 * mesh.twice_area(t);
     for (const std::uint32_t v : mesh.triangles[t]) body.box.add(mesh.vertices[v]);
     body.triangles.push_back(t);
     body.area += area;

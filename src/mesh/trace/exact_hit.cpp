@@ -63,8 +63,7 @@ bool same_sign(const std::array<double, 3>& s) {
 }  // namespace
 
 std::array<double, 3> ExactHit::edge_sides(const Ray& ray, std::uint32_t triangle) const {
-  const auto& [i, j, k] = mesh_.triangles[triangle];
-  const dvec3 &a = mesh_.vertices[i], &b = mesh_.vertices[j], &c = mesh_.vertices[k];
+  const auto [a, b, c] = mesh_.corners(triangle);
   // A dozen roundings of a product of two differences of numbers up to the radius and the origin's distance.
   const double longest = mesh_.radius + glm::length(ray.origin);
   const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * longest * longest;
@@ -76,9 +75,8 @@ bool ExactHit::contains(const Ray& ray, std::uint32_t triangle) const { return s
 bool ExactHit::is_inside(const Ray& ray, std::uint32_t triangle) const {
   const std::array<double, 3> sides = edge_sides(ray, triangle);
   if (!same_sign(sides)) return false;
-  const auto& [i, j, k] = mesh_.triangles[triangle];
-  const dvec3 edges[3] = {mesh_.vertices[j] - mesh_.vertices[i], mesh_.vertices[k] - mesh_.vertices[j],
-                          mesh_.vertices[i] - mesh_.vertices[k]};
+  const auto [a, b, c] = mesh_.corners(triangle);
+  const dvec3 edges[3] = {b - a, c - b, a - c};
   // Side over edge length is at most the distance between the two lines.
   for (int e = 0; e < 3; ++e)
     if (sides[e] * sides[e] < edge_uncertainty_ * edge_uncertainty_ * glm::dot(edges[e], edges[e])) return false;
@@ -127,11 +125,6 @@ bool ExactHit::has_long_corner(std::uint32_t triangle) const {
   return std::ranges::any_of(mesh_.triangles[triangle], [&](std::uint32_t vertex) { return is_long(at_vertex_[vertex]); });
 }
 
-bool ExactHit::shares_corner(std::uint32_t triangle, std::uint32_t other) const {
-  const auto& corners = mesh_.triangles[other];
-  return std::ranges::any_of(mesh_.triangles[triangle], [&](auto v) { return std::ranges::find(corners, v) != corners.end(); });
-}
-
 bool ExactHit::has_corner_on(std::uint32_t triangle, std::uint32_t of) const {
   return std::ranges::any_of(mesh_.triangles[triangle], [&](std::uint32_t vertex) {
     if (is_long(at_vertex_[vertex])) return std::ranges::binary_search(patches_at_.at(vertex), of);
@@ -147,8 +140,7 @@ Hit ExactHit::nearest_near_coincident(const Ray& ray, std::uint32_t triangle, co
   const dvec3 point = ray.origin + distance(ray, triangle) * ray.direction;
   const auto runs_along = [&](std::uint32_t of) {
     const Patch& plane = mesh_.patches[of];
-    return std::abs(glm::dot(plane.normal, point) - plane.offset) < edge_uncertainty_ &&
-           std::abs(glm::dot(plane.normal, ray.direction)) < narrow_angle;
+    return std::abs(plane.height(point)) < edge_uncertainty_ && std::abs(glm::dot(plane.normal, ray.direction)) < narrow_angle;
   };
   if (is_long(others)) {
     keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) {
@@ -167,7 +159,8 @@ Hit ExactHit::nearest_around(const Ray& ray, std::uint32_t triangle, const Ignor
   Hit nearest = nearest_near_coincident(ray, triangle, ignored_patches);
   if (has_long_corner(triangle)) {
     keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) {
-      return shares_corner(triangle, other) || (grazes(ray, patch(other)) && has_corner_on(triangle, patch(other)));
+      return share_corner(mesh_.triangles[triangle], mesh_.triangles[other]) ||
+             (grazes(ray, patch(other)) && has_corner_on(triangle, patch(other)));
     });
     return nearest;
   }
@@ -227,8 +220,9 @@ Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ign
   if (!hit || !is_lost(ray, hit.triangle)) return hit;
   Hit front;
   if (has_long_corner(hit.triangle))
-    keep_nearer_of_all(ray, ignored_patches, front,
-                       [&](std::uint32_t other) { return shares_corner(hit.triangle, other) && !meets_from_inside(ray, other); });
+    keep_nearer_of_all(ray, ignored_patches, front, [&](std::uint32_t other) {
+      return share_corner(mesh_.triangles[hit.triangle], mesh_.triangles[other]) && !meets_from_inside(ray, other);
+    });
   else
     for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
       for (const std::uint32_t candidate : at_vertex_[vertex])

@@ -25,8 +25,7 @@ class ExactHit {
 
   /// Distance along the ray to the plane of the triangle's patch [m].
   double distance(const Ray& ray, std::uint32_t triangle) const {
-    const Patch& plane = mesh_.patches[patch(triangle)];
-    return (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
+    return mesh_.patch_of(triangle).distance(ray.origin, ray.direction);
   }
 
   /// The hit of a ray on a triangle that it meets, or none for no_index.
@@ -108,7 +107,6 @@ class ExactHit {
   bool stays_off(const Ray& ray, std::uint32_t patch) const;
   bool is_long(std::span<const std::uint32_t> list) const { return list.size() > longest_list_; }
   bool has_long_corner(std::uint32_t triangle) const;
-  bool shares_corner(std::uint32_t triangle, std::uint32_t other) const;
   bool has_corner_on(std::uint32_t triangle, std::uint32_t patch) const;
   void keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches, Hit& nearest) const;
   template <class Accept>

@@ -6,64 +6,15 @@
 #include <cmath>
 #include <utility>
 
-#include "mesh/model/edge_table.h"
-#include "mesh/model/geometry.h"
+#include "mesh/model/triangle_pairs.h"
 
 namespace raytube {
 
 namespace {
 
 using ArcBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
-using Corners = std::array<dvec3, 3>;
 
 constexpr std::size_t few_triangles = 32;  // round a vertex, of which each is held against each
-
-// The gap between two triangles along an axis, above zero if they are apart, times the length of the axis.
-double scaled_gap_along(const Corners& a, const Corners& b, const dvec3& axis) {
-  const auto range = [&](const Corners& corners) {
-    return std::minmax({glm::dot(corners[0], axis), glm::dot(corners[1], axis), glm::dot(corners[2], axis)});
-  };
-  const auto [low_a, high_a] = range(a);
-  const auto [low_b, high_b] = range(b);
-  return std::max(low_a - high_b, low_b - high_a);
-}
-
-// Whether the gap is wider than `distance`, which is no less than zero; an axis without length tells nothing.
-bool separates(const Corners& a, const Corners& b, const dvec3& axis, double distance) {
-  const double gap = scaled_gap_along(a, b, axis);
-  return gap > 0.0 && gap / glm::length(axis) > distance;
-}
-
-// Whether the two cover one another along the axis by at least `least`.
-bool overlap_along(const Corners& a, const Corners& b, const dvec3& axis, double least) {
-  const double length = glm::length(axis);
-  return length > 0.0 && scaled_gap_along(a, b, axis) / length <= -least;
-}
-
-// Whether boxes along the axes of space tell already that the two are apart.
-bool boxes_are_apart(const Corners& a, const Corners& b, double distance) {
-  const dvec3 low_a = glm::min(glm::min(a[0], a[1]), a[2]), high_a = glm::max(glm::max(a[0], a[1]), a[2]);
-  const dvec3 low_b = glm::min(glm::min(b[0], b[1]), b[2]), high_b = glm::max(glm::max(b[0], b[1]), b[2]);
-  const dvec3 gap = glm::max(low_a - high_b, low_b - high_a);
-  return std::max({gap.x, gap.y, gap.z}) > distance;
-}
-
-// Whether a plane with a gap of this width on it separates the two (Gottschalk, Lin and Manocha 1996: for convex polyhedra it is
-// enough to try the normals of both and the products of their edges; for flat ones also the normals of edges in their planes).
-bool are_apart(const Corners& a, const Corners& b, double distance) {
-  if (boxes_are_apart(a, b, distance)) return true;
-  const dvec3 normals[2] = {area_vector(a[0], a[1], a[2]), area_vector(b[0], b[1], b[2])};
-  for (const dvec3& normal : normals)
-    if (separates(a, b, normal, distance)) return true;
-  for (int i = 0; i < 3; ++i) {
-    const dvec3 edge_a = a[(i + 1) % 3] - a[i], edge_b = b[(i + 1) % 3] - b[i];
-    if (separates(a, b, glm::cross(normals[0], edge_a), distance)) return true;
-    if (separates(a, b, glm::cross(normals[1], edge_b), distance)) return true;
-    for (int j = 0; j < 3; ++j)
-      if (separates(a, b, glm::cross(edge_a, b[(j + 1) % 3] - b[j]), distance)) return true;
-  }
-  return false;
-}
 
 // A triangle as one of its corners sees it; shorter than half a circle, about the origin.
 struct Arc {
@@ -140,7 +91,9 @@ class PairFinder {
  public:
   PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow)
       : mesh_(mesh), distance_(distance), corner_(narrow) {
-    const auto are_close = [&](std::uint32_t a, std::uint32_t b) { return !are_apart(corners(a), corners(b), distance_); };
+    const auto are_close = [&](std::uint32_t a, std::uint32_t b) {
+      return !are_apart(mesh_.corners(a), mesh_.corners(b), distance_);
+    };
     for (const auto& [a, b] : tree.close_pairs(distance, are_close)) add(a, b);
     for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) look_round(vertex, mesh.at_vertex()[vertex]);
     const EdgeTable& edges = mesh.edges();
@@ -152,19 +105,14 @@ class PairFinder {
  private:
   void add(std::uint32_t a, std::uint32_t b) { pairs.insert(pairs.end(), {{a, b}, {b, a}}); }
 
-  Corners corners(std::uint32_t triangle) const {
-    const Triangle& t = mesh_.triangles[triangle];
-    return {mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]};
-  }
-
   bool share_one_corner(std::uint32_t a, std::uint32_t b) const {
     const Triangle& with = mesh_.triangles[b];
-    return std::ranges::count_if(mesh_.triangles[a], [&](auto v) { return std::ranges::find(with, v) != with.end(); }) == 1;
+    return std::ranges::count_if(mesh_.triangles[a], [&](std::uint32_t v) { return has_corner(with, v); }) == 1;
   }
 
   Arc arc(std::uint32_t triangle, std::uint32_t vertex) const {
     const Triangle& t = mesh_.triangles[triangle];
-    const auto corner = std::ranges::find(t, vertex) - t.begin();
+    const std::uint32_t corner = corner_at(t, vertex);
     const dvec3& tip = mesh_.vertices[vertex];
     return {mesh_.vertices[t[(corner + 1) % 3]] - tip, mesh_.vertices[t[(corner + 2) % 3]] - tip};
   }
@@ -222,18 +170,6 @@ class PairFinder {
 };
 
 }  // namespace
-
-bool lie_upon_one_another(const Corners& a, const Corners& b, double distance) {
-  const dvec3 normal_a = area_vector(a[0], a[1], a[2]), normal_b = area_vector(b[0], b[1], b[2]);
-  // The larger one knows the plane better.
-  const dvec3 normal = glm::normalize(glm::length(normal_a) > glm::length(normal_b) ? normal_a : normal_b);
-  const auto is_beside = [&](const dvec3& p) { return std::abs(glm::dot(p - a[0], normal)) > distance; };
-  if (std::ranges::any_of(a, is_beside) || std::ranges::any_of(b, is_beside)) return false;
-  for (int i = 0; i < 3; ++i)
-    for (const Corners& corners : {a, b})
-      if (!overlap_along(a, b, glm::cross(normal, corners[(i + 1) % 3] - corners[i]), distance)) return false;
-  return true;
-}
 
 NearCoincident::NearCoincident(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow)
     : first_(mesh.triangles.size() + 1, 0) {

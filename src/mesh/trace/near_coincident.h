@@ -10,9 +10,6 @@
 
 namespace raytube {
 
-/// True if both lie in one plane, to within `distance` [m], and cover one another there by more than that.
-bool lie_upon_one_another(const std::array<dvec3, 3>& a, const std::array<dvec3, 3>& b, double distance);
-
 /// For each triangle, the triangles of other patches that come within a distance of it elsewhere than along a common edge or at a
 /// common corner, or that open from there at a narrow angle and lie over one another: single precision cannot tell which of the
 /// two a ray meets first, however far from all edges.

@@ -159,8 +159,7 @@ class Proxy {
     for (std::uint32_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) {
       corners.clear();
       for (const std::uint32_t t : mesh_.at_vertex()[vertex]) {
-        const auto k = std::ranges::find(mesh_.triangles[t], vertex) - mesh_.triangles[t].begin();
-        corners.emplace_back(patch(t), 3 * t + static_cast<std::uint32_t>(k));
+        corners.emplace_back(patch(t), 3 * t + corner_at(mesh_.triangles[t], vertex));
       }
       std::ranges::sort(corners);
       for (std::size_t i = 0; i < corners.size(); ++i)

@@ -54,9 +54,7 @@ void TubeSums::meet(int bounce, double area, double amplitude) {
 
 void TubeSums::lose(const Ray& ray, std::uint32_t triangle, const TriangleMesh& mesh) {
   if (lost_rays++ >= most_lost_rays_told) return;
-  const Patch& plane = mesh.patch_of(triangle);
-  const double distance = (plane.offset - glm::dot(plane.normal, ray.origin)) / glm::dot(plane.normal, ray.direction);
-  first_lost.push_back({ray.origin + distance * ray.direction, triangle});
+  first_lost.push_back({ray.origin + mesh.patch_of(triangle).distance(ray.origin, ray.direction) * ray.direction, triangle});
 }
 
 void TubeSums::lose_if_stray(const Ray& ray, const TriangleMesh& mesh) {

@@ -135,8 +135,7 @@ double share_in_phase(const LitEdgePiece& source, const Patch& plane, const Patc
 
 std::vector<double> patch_areas(const TriangleMesh& mesh) {
   std::vector<double> areas(mesh.patches.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    areas[mesh.triangle_patch[t]] += glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) areas[mesh.triangle_patch[t]] += mesh.twice_area(t) / 2;
   return areas;
 }
 
@@ -144,7 +143,7 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
   std::vector<PatchExtent> extents(mesh.patches.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     PatchExtent& extent = extents[mesh.triangle_patch[t]];
-    const double area = glm::length(area_vector(mesh.vertices, mesh.triangles[t])) / 2;
+    const double area = mesh.twice_area(t) / 2;
     extent.area += area;
     extent.closed = mesh.closed(t);
     for (int c = 0; c < 3; ++c) {

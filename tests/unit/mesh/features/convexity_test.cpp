@@ -1,6 +1,7 @@
 // What stands in front of a face, and what does not.
 #include "mesh/features/convexity.h"
-#include "mesh/read/coordinate_step.h"
+
+#include "mesh/read/formats.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube {

@@ -5,7 +5,7 @@
 
 #include "core/error.h"
 #include "jobs/inputs.h"
-#include "mesh/read/coordinate_step.h"
+#include "mesh/read/formats.h"
 #include "scratch.h"
 #include "unit/mesh_shapes.h"
 

@@ -1,12 +1,12 @@
 // Polygons -> triangles, against cutting ears by trying all corners of all places.
+#include "mesh/repair/triangulate.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
 #include "core/field.h"
-#include "mesh/repair/ears.h"
-#include "mesh/repair/triangulate.h"
 
 namespace raytube {
 namespace {

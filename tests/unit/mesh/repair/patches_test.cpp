@@ -5,7 +5,7 @@
 #include "mesh/features/convexity.h"
 #include "mesh/model/faces.h"
 #include "mesh/model/geometry.h"
-#include "mesh/read/coordinate_step.h"
+#include "mesh/read/formats.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

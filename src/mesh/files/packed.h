@@ -1,4 +1,4 @@
-// Files in a zip archive (libzip).
+// Mesh files that are packed: by gzip (zlib), or in a zip archive (libzip).
 #pragma once
 
 #include <memory>
@@ -9,6 +9,10 @@
 struct zip;
 
 namespace raytube {
+
+/// The file unpacked, under its own name. Throws InputError: no gzip data, damaged, cut short, more than `most_bytes`, or so
+/// many times the bytes there are that it is no mesh.
+MeshFile unpacked(const MeshFile& file, std::uintmax_t most_bytes);
 
 /// An archive in memory, which must outlive it.
 class ZipArchive {

@@ -1,0 +1,25 @@
+// How two triangles lie to one another.
+#pragma once
+
+#include <array>
+
+#include "core/field.h"
+
+namespace raytube {
+
+/// The corners of a triangle.
+using Corners = std::array<dvec3, 3>;
+
+/// Whether a plane with a gap of this width [m] on it separates the two (Gottschalk, Lin and Manocha 1996: for convex polyhedra
+/// it is enough to try the normals of both and the products of their edges; for flat ones also the normals of edges in their
+/// planes).
+bool are_apart(const Corners& a, const Corners& b, double distance);
+
+/// True if both lie in one plane, to within `distance` [m], and cover one another there by more than that.
+bool lie_upon_one_another(const Corners& a, const Corners& b, double distance);
+
+/// Solid angle of a triangle as the origin sees it, above zero if it runs counter-clockwise there (van Oosterom & Strackee 1983,
+/// IEEE Trans. BME-30, 125) [sr].
+double solid_angle(const Corners& corners);
+
+}  // namespace raytube
