@@ -104,15 +104,11 @@ std::string tube_lines(const Json& c, double highest_ghz) {
 }
 
 std::string edge_lines(const Json& edges) {
-  const std::string method = text_at(edges, "method"), transition = text_at(edges, "transition");
+  const std::string method = text_at(edges, "method");
   if (method == "none") return line("edges", "none");
   if (method != "fringe") return "";
-  const bool first_order = edges["order"] == 1;
-  std::string text = line("edges", fmt::format("fringe currents (PTD), order {}, creases of {} deg and more",
-                                               edges["order"].get<int>(), edges["min_wedge_deg"].get<double>()));
-  if (transition != "exact")
-    text += line("", fmt::format("transition function {}{}", transition, first_order ? ", which has no effect at order 1" : ""));
-  return text;
+  return line("edges", fmt::format("fringe currents (PTD), order {}, creases of {} deg and more", edges["order"].get<int>(),
+                                   edges["min_wedge_deg"].get<double>()));
 }
 
 std::string mesh_names(const Json& mesh) {

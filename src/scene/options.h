@@ -41,14 +41,6 @@ struct TubeOptions {
   bool refines() const { return mode == TubeMode::adaptive && clip; }
 };
 
-/// How the transition function of diffraction is evaluated: to rounding, or as it was when tables were printed, to study what
-/// that costs.
-enum class TransitionTier {
-  exact,               // to rounding
-  kouyoumjian_pathak,  // (1974): small-argument form, linear table of eight nodes from 0.3 to 5.5, large-argument series
-  as_printed           // the same with the small-argument form as misprinted in secondary sources
-};
-
 /// What edges add.
 enum class EdgeMethod {
   none,    // nothing: physical optics alone
@@ -91,7 +83,6 @@ struct EdgeOptions {
   Use interaction;                  // edges light other surfaces; by default where its budget reaches half of what is expected
   double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
   bool receiver_shadow = false;     // an edge hidden from the receiver does not count
-  TransitionTier transition = TransitionTier::exact;        // plays a part at order 2 and 3 only
   MaterialEdgeMethod materials = MaterialEdgeMethod::fringe;  // what edges of other materials add
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
 };

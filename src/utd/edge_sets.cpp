@@ -261,7 +261,7 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
 
 InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits) const {
   const double work = set.has_few_pairs() ? std::numeric_limits<double>::infinity() : limits.work;
-  return {setup_.fringe.order, setup_.fringe.transition, limits.tolerance, work, limits.antennas};
+  return {setup_.fringe.order, limits.tolerance, work, limits.antennas};
 }
 
 std::vector<double> EdgeSets::interaction_reach(const InteractionLimits& limits) const {

@@ -139,7 +139,6 @@ TEST_F(Warnings, EdgeKeysWithoutEffect) {
   const std::map<std::string, std::string> reasons = {
       {"--set edges.method=none --set edges.order=2", "order has no effect: edges.method is \"none\"; leave the key out"},
       {"--set edges.method=utd --set edges.thin_sheets=true", "thin_sheets has no effect: edges.method is \"utd\""},
-      {"--set edges.order=1 --set edges.transition=as-printed", "transition has no effect: edges.order is 1"},
       {"--set edges.between=true", "between has no effect: nothing stands in front of any face of the target"},
       {"--set edges.between=false --set edges.between_budget=9", "between_budget has no effect: edges.between is false"},
       {"--set edges.receiver_shadow=true", "receiver_shadow has no effect: looks are monostatic"}};
@@ -147,9 +146,9 @@ TEST_F(Warnings, EdgeKeysWithoutEffect) {
     EXPECT_EQ(raytube(quiet + words).code, 0) << words;
     EXPECT_THAT(output(), HasSubstr(": edges." + reason));
   }
-  for (const std::string words : {"--set edges.between=false", "--set edges.order=2 --set edges.transition=as-printed",
-                                  "--set edges.method=none --set edges.receiver_shadow=false", "--set edges.min_wedge_deg=20",
-                                  "--set edges.receiver_shadow=true --set receive.theta_deg=40 --set receive.phi_deg=0"}) {
+  for (const std::string words :
+       {"--set edges.between=false", "--set edges.order=2", "--set edges.method=none --set edges.receiver_shadow=false",
+        "--set edges.min_wedge_deg=20", "--set edges.receiver_shadow=true --set receive.theta_deg=40 --set receive.phi_deg=0"}) {
     EXPECT_EQ(raytube(quiet + words).code, 0) << words;
     EXPECT_THAT(output(), HasSubstr("\nwarnings\n  none\n")) << words;
   }

@@ -81,7 +81,6 @@ SolveOptions options(Choices& choices) {
   o.edges.order = static_cast<int>(1 + choices.below(3));
   o.edges.interaction = choices.flag();
   o.edges.receiver_shadow = choices.flag();
-  o.edges.transition = static_cast<TransitionTier>(choices.below(3));
   return o;
 }
 

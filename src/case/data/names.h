@@ -10,7 +10,6 @@ namespace raytube {
 
 constexpr std::array<std::string_view, 2> words_of(TubeMode) { return {"uniform", "adaptive"}; }
 constexpr std::array<std::string_view, 3> words_of(CurvedSurfaces) { return {"never", "convex", "always"}; }
-constexpr std::array<std::string_view, 3> words_of(TransitionTier) { return {"exact", "kouyoumjian-pathak", "as-printed"}; }
 constexpr std::array<std::string_view, 3> words_of(EdgeMethod) { return {"none", "fringe", "utd"}; }
 constexpr std::array<std::string_view, 2> words_of(MaterialEdgeMethod) { return {"none", "fringe"}; }
 

@@ -38,11 +38,6 @@ Reason why_receiver_shadow(const SolvePlan& plan) {
   return plan.sweep.bistatic ? "" : "looks are monostatic, and the receiver sees just what is lit";
 }
 
-Reason why_transition(const SolvePlan& plan) {
-  if (Reason why = no_edges(plan); !why.empty()) return why;
-  return plan.edges.order == 1 ? "edges.order is 1, and it matters at 2 and 3 only" : "";
-}
-
 Reason why_materials(const SolvePlan& plan) {
   const bool none = count_material_edges(plan.target.wedges, plan.sweep.materials, plan.sweep.frequencies).known == 0;
   return plan.fringe() && none ? "no edge of the target has a face of another material whose edges are known" : "";
@@ -54,11 +49,10 @@ struct KeyWithEffect {
 };
 
 // edges.method and edges.min_wedge_deg have an effect always, edges.utd_range_m is refused where it has none.
-constexpr std::array<KeyWithEffect, 7> edge_keys = {{{"order", no_edges},
+constexpr std::array<KeyWithEffect, 6> edge_keys = {{{"order", no_edges},
                                                      {"between", why_between},
                                                      {"between_budget", why_budget},
                                                      {"receiver_shadow", why_receiver_shadow},
-                                                     {"transition", why_transition},
                                                      {"materials", why_materials},
                                                      {"thin_sheets", no_currents}}};
 

@@ -44,7 +44,6 @@ void visit_edge_keys(Edges& edges, Wedges& wedges, bool has_materials, Visit&& v
   visit(CaseKey{"edges.between"}, edges.interaction);
   visit(CaseKey{"edges.between_budget", at_least_zero}, edges.interaction_budget);
   visit(CaseKey{"edges.receiver_shadow"}, edges.receiver_shadow);
-  visit(CaseKey{"edges.transition"}, edges.transition);
   visit(CaseKey{"edges.thin_sheets"}, wedges.thin_plates);
   visit(CaseKey{"edges.min_wedge_deg", {.least = 0, .most = 180, .below = true}, "degrees", "", degree}, wedges.min_wedge_angle);
   visit(CaseKey{.name = "edges.materials", .shown = has_materials}, edges.materials);

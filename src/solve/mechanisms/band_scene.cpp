@@ -29,7 +29,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
   setup.material_edges = plan.edges.materials == MaterialEdgeMethod::fringe;
   setup.skip_enclosed = plan.tubes.skip;
   setup.curved = scene.curved ? &*scene.curved : nullptr;
-  setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, plan.edges.transition, false};
+  setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, false};
   return setup;
 }
 

@@ -106,8 +106,7 @@ StripEdges::StripEdges(const EdgeScene& scene, const LookVectors& look, std::spa
     : wedges_(scene.wedges),
       look_(look),
       frequencies_(frequencies),
-      multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition,
-                options.continue_by_images),
+      multiple_(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.continue_by_images),
       thickness_(look, frequencies),
       materials_(scene, look, frequencies, options.order) {
   multiple_.keep_rays(options.rays);

@@ -29,7 +29,6 @@ struct EdgeScene {
 struct FringeOptions {
   int order = 3;                 // edges in a row that a current passes, 1 or more; at 1 faces are taken as semi-infinite
   bool receiver_shadow = false;  // parts of edges hidden from the receiver do not count
-  TransitionTier transition = TransitionTier::exact;
   /// From order 2 on: currents that end at a right-angled corner run on as their mirror image. Right only if what edges send to
   /// other faces (utd/interaction) is counted, too.
   bool continue_by_images = false;

@@ -31,7 +31,7 @@ EdgeLookResult sum_of(Edges edges, std::size_t count, LitEdges& light) {
 double add_arrivals(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
                     const FringeOptions& options, const SurfaceLight& light, std::span<ScatteringMatrix> scattering) {
   if (options.order == 1 || scene.curved == nullptr) return 0.0;
-  MultipleDiffraction strips(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.transition);
+  MultipleDiffraction strips(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order);
   strips.keep_rays(options.rays);
   for (const SurfaceArrival& arrival : light.arrivals) strips.arrive(arrival, light.frequencies);
   const StripSums sums = strips.take();

@@ -371,9 +371,7 @@ class InteractionLook {
   EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {
     return reflected_fringe_scattering(scene_.edges, looks, frequencies_, fringe_options(options));
   }
-  static FringeOptions fringe_options(const InteractionOptions& options) {
-    return {reflected_order, false, options.transition, true};
-  }
+  static FringeOptions fringe_options(const InteractionOptions& options) { return {reflected_order, false, true}; }
 
   PathPlace place_of(std::span<const std::uint32_t> mirrors) const {
     PathPlace place{look_.scattered};

@@ -73,8 +73,7 @@ struct InteractionScene {
 };
 
 struct InteractionOptions {
-  int order = 3;  // of the fringe currents
-  TransitionTier transition = TransitionTier::exact;
+  int order = 3;                                          // of the fringe currents
   double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
   double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (utd/work.h)
   const NearAntennas* antennas = nullptr;                 // at a finite distance, where S is as of these; none: plane waves

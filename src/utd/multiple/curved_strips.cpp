@@ -35,7 +35,7 @@ StripPath path_of(const StripScene& scene, const StripWave& wave, const dvec3& p
   const double half_cosine = grazing_half_cosine(wave.across, wave.incidence, scene.look.scattered);
   return {wave,
           point,
-          Strip(scene.wedges[wave.source].n, wave.incidence, half_cosine, scene.tier),
+          Strip(scene.wedges[wave.source].n, wave.incidence, half_cosine),
           face_projection(wave, scene.look),
           {},
           0.0,

@@ -23,17 +23,16 @@ std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
 
 MultipleDiffraction::MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved,
                                          const LookVectors& look, std::span<const double> frequencies, int order,
-                                         TransitionTier tier, bool continue_by_images)
+                                         bool continue_by_images)
     : scene_{wedges,
              outlines,
              curved,
              look,
              wavelength(sampling_frequency(frequencies)),
-             wavelength(least_frequency(frequencies)),
-             tier},
+             wavelength(least_frequency(frequencies))},
       order_(order),
       band_(wavenumbers_of(frequencies)),
-      bins_{PathBins(band_, tier == TransitionTier::exact), PathBins(band_, tier == TransitionTier::exact)},
+      bins_{PathBins(band_, true), PathBins(band_, true)},
       answer_(bins_.higher),
       strips_{WaveTree(wedges, outlines, curved, look.incident, look.scattered, continue_by_images),
               EdgePanels(wavelength(greatest_frequency(frequencies)))} {

@@ -49,8 +49,7 @@ struct StripSums {
 class MultipleDiffraction {
  public:
   MultipleDiffraction(std::span<const Wedge> wedges, const Outlines& outlines, const CurvedFaces* curved, const LookVectors& look,
-                      std::span<const double> frequencies, int order, TransitionTier tier = TransitionTier::exact,
-                      bool continue_by_images = false);
+                      std::span<const double> frequencies, int order, bool continue_by_images = false);
 
   /// The strips of both faces of wedge `index`, which start on its lit pieces.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);

@@ -67,10 +67,7 @@ Strip::Term Strip::term(double n, double source, int sign) {
           sign * std::cos(eps / 2) * std::copysign(0.5, sine)};
 }
 
-Strip::Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier)
-    : half_cosine_(std::max(half_cosine, half_cosine_floor)),
-      scaled_erfc_(scaled_erfc_of(tier)),
-      exact_(tier == TransitionTier::exact) {
+Strip::Strip(double n, FaceIncidence incidence, double half_cosine) : half_cosine_(std::max(half_cosine, half_cosine_floor)) {
   double& source = incidence.source_angle;
   source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
   has_local_part_ = n != 2.0;
@@ -144,7 +141,7 @@ Strip::Currents Strip::currents(const Reals& root) const {
     const Term& t = terms_[i];
     Reals boundary;
     for (std::size_t l = 0; l < lanes; ++l) boundary[l] = t.distance * root[l];
-    const Complexes there = scaled_erfc_(boundary), slope = slope_of_erfc(boundary, there);
+    const Complexes there = scaled_erfc(boundary), slope = slope_of_erfc(boundary, there);
     for (std::size_t l = 0; l < lanes; ++l) {
       result.hard.re[l] += t.strength * there.im[l];
       result.hard.im[l] -= t.strength * there.re[l];
@@ -164,7 +161,7 @@ struct Strip::Observer {
   Complexes value, decay, ratio;
 };
 
-Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
+Strip::Observer Strip::observer(const Reals& length) const {
   Observer result;
   Reals angle;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -172,7 +169,7 @@ Strip::Observer Strip::observer(const Reals& length, ScaledErfc erfc) const {
     result.x[i] = half_cosine_ * result.root[i];
     angle[i] = -2 * half_cosine_ * half_cosine_ * length[i];
   }
-  result.value = erfc(result.x);
+  result.value = scaled_erfc(result.x);
   result.decay = unit_phasors(angle);
   result.ratio = erf_over(result.x, result.value, result.decay);
   return result;
@@ -199,10 +196,10 @@ Complexes Strip::soft_phase(const Observer& at) {
 }
 
 // One diffracted wave's share of G_h and G_s, and of T in sum.end, sum.soft_end.
-void Strip::add(const Term& t, const Observer& at, ScaledErfc erfc, Sums& sum) const {
+void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
   Reals boundary;
   for (std::size_t i = 0; i < lanes; ++i) boundary[i] = t.distance * at.root[i];
-  const Complexes there = erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
+  const Complexes there = scaled_erfc(boundary), quotient = divided_difference(boundary, at.x, there, at.value);
   Complexes hard, difference{};
   add_products(difference, at.decay, quotient);
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -232,10 +229,10 @@ void Strip::add_local(const Reals& length, Sums& sum) const {
   }
 }
 
-Strip::Sums Strip::sums(const Reals& length, ScaledErfc erfc) const {
-  const Observer at = observer(length, erfc);
+Strip::Sums Strip::sums(const Reals& length) const {
+  const Observer at = observer(length);
   Sums sum;
-  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, erfc, sum);
+  for (int i = 0; i < term_count_; ++i) add(terms_[i], at, sum);
   Complexes end{}, soft_end{};
   add_products(end, at.decay, sum.end);
   if (term_count_ == 2) add_products(soft_end, soft_phase(at), sum.soft_end);
@@ -247,29 +244,6 @@ Strip::Sums Strip::sums(const Reals& length, ScaledErfc erfc) const {
   return sum;
 }
 
-bool Strip::has_removable_quotient(double length) const {
-  const double root = std::sqrt(2 * length), x = half_cosine_ * root;
-  const auto close = [&](const Term& t) { return is_removable(t.distance * root, x); };
-  return is_removable(x) || std::any_of(terms_.begin(), terms_.begin() + term_count_, close);
-}
-
-// With a rough W the removable quotients are not finite, and their series only if all of a strip's terms have the exact W: the
-// parts of G_x cancel to 1/h^2 where the observer is far off the cone.
-void Strip::restore_removable(const Reals& length, Sums& sums_by_tier) const {
-  std::array<bool, lanes> restored;
-  for (std::size_t i = 0; i < lanes; ++i) restored[i] = has_removable_quotient(length[i]);
-  if (std::ranges::find(restored, true) == restored.end()) return;
-  const Sums exact = sums(length, scaled_erfc);
-  for (std::size_t i = 0; i < lanes; ++i) {
-    if (!restored[i]) continue;
-    sums_by_tier.soft.set(i, exact.soft[i]);
-    sums_by_tier.hard.set(i, exact.hard[i]);
-    sums_by_tier.axial.set(i, exact.axial[i]);
-    sums_by_tier.end.set(i, exact.end[i]);
-    sums_by_tier.soft_end.set(i, exact.soft_end[i]);
-  }
-}
-
 // Lengths past the end of the list and infinite ones are 1 here, so that every lane stays finite.
 void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const {
   for (std::size_t first = 0; first < lengths.size(); first += lanes) {
@@ -278,8 +252,7 @@ void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const
       const double length = first + i < lengths.size() ? lengths[first + i] : 1.0;
       block[i] = std::isinf(length) ? 1.0 : length;
     }
-    Sums found = sums(block, scaled_erfc_);
-    if (!exact_) restore_removable(block, found);
+    const Sums found = sums(block);
     store(found.soft, batch.soft, first);
     store(found.hard, batch.hard, first);
     store(found.axial, batch.axial, first);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "math/complex_columns.h"
+#include "math/erfc_ray.h"
 #include "utd/wedge/edge_currents.h"
-#include "utd/wedge/scaled_erfc.h"
 
 namespace raytube {
 
@@ -42,9 +42,8 @@ struct KernelBatch {
 /// Everything about a strip but its electrical length.
 class Strip {
  public:
-  /// Of a wedge with the exterior angle n pi; `half_cosine` is h of the observer (grazing_half_cosine). `tier` says how erfc is
-  /// evaluated.
-  Strip(double n, FaceIncidence incidence, double half_cosine, TransitionTier tier = TransitionTier::exact);
+  /// For a wedge with the exterior angle n pi; `half_cosine` is h of the observer (grazing_half_cosine).
+  Strip(double n, FaceIncidence incidence, double half_cosine);
 
   /// Kernels for every length X; infinity gives those of the untruncated strip. What a length gives is independent of the others.
   void at(std::span<const double> lengths, KernelBatch& batch) const;
@@ -83,20 +82,16 @@ class Strip {
   void find_local_part(double n, const FaceIncidence& incidence);
   double local_step(double n, bool lit) const;
   double total_strength() const;
-  Observer observer(const Reals& length, ScaledErfc erfc) const;
+  Observer observer(const Reals& length) const;
   static Complexes soft_phase(const Observer& at);
-  void add(const Term& term, const Observer& at, ScaledErfc erfc, Sums& sum) const;
+  void add(const Term& term, const Observer& at, Sums& sum) const;
   void add_local(const Reals& length, Sums& sum) const;
-  Sums sums(const Reals& length, ScaledErfc erfc) const;
-  bool has_removable_quotient(double length) const;
-  void restore_removable(const Reals& length, Sums& sums_by_tier) const;
+  Sums sums(const Reals& length) const;
   void finite_at(std::span<const double> lengths, KernelBatch& batch) const;
 
   std::array<Term, 2> terms_{};
   int term_count_ = 2;
   double half_cosine_;
-  ScaledErfc scaled_erfc_;
-  bool exact_;
   bool has_local_part_ = false;
   struct {
     double soft = 0.0, hard = 0.0, axial = 0.0;

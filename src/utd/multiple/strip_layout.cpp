@@ -29,7 +29,7 @@ void find_faces(const StripScene& scene, StripLayout& strips) {
     const StripWave& wave = each.wave;
     const Wedge& wedge = scene.wedges[wave.source];
     const double half_cosine = grazing_half_cosine(wave.across, wave.incidence, scene.look.scattered);
-    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine, scene.tier), {}, face_projection(wave, scene.look)});
+    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine), {}, face_projection(wave, scene.look)});
     if (wedge.thickness() > 0.0)
       strips.faces.back().thin.emplace(wedge, wave.source_face, wave.incidence, half_cosine, scene.look.scattered, each.direct);
   }

@@ -17,8 +17,7 @@ struct StripScene {
   const Outlines& outlines;
   const CurvedFaces* curved;  // those of the wedges' faces that are; null: none
   const LookVectors& look;
-  double shortest, longest;                     // wavelengths [m]
-  TransitionTier tier = TransitionTier::exact;  // how erfc is evaluated
+  double shortest, longest;  // wavelengths [m]
 };
 
 /// S of one face for unit kernels, per receive polarisation: of the current across the edge and of that along it.

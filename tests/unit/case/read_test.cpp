@@ -23,7 +23,6 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.tubes.max_bounces, 8);
   EXPECT_FALSE(c.tubes.up);
   EXPECT_EQ(c.edges.method, EdgeMethod::fringe);
-  EXPECT_EQ(c.edges.transition, TransitionTier::exact);
   EXPECT_EQ(c.wedges.min_wedge_angle, 15.0 * degree);
   EXPECT_TRUE(c.plots);
   EXPECT_FALSE(c.sweep.bistatic);
@@ -106,16 +105,6 @@ TEST(CaseRead, ATurntableIsAListOfPositions) {
   const Case circle = read_text(smallest, {"radar.range_m=2", "radar.turntable_deg={start=0,stop=350,step=10}"});
   EXPECT_EQ(circle.sweep.looks.size(), 36u);
   EXPECT_NEAR(circle.sweep.looks[35].transmit.phi, -350 * degree, 1e-12);
-}
-
-TEST(CaseRead, TransitionTiersAndTheirEcho) {
-  for (const auto& [name, tier] : {std::pair{"exact", TransitionTier::exact},
-                                   {"as-printed", TransitionTier::as_printed},
-                                   {"kouyoumjian-pathak", TransitionTier::kouyoumjian_pathak}}) {
-    const Case c = read_text(smallest, {std::string("edges.transition=") + name});
-    EXPECT_EQ(c.edges.transition, tier);
-    EXPECT_THAT(resolved_case_json(c), HasSubstr(std::string("\"transition\": \"") + name + '"'));
-  }
 }
 
 TEST(CaseRead, Units) {

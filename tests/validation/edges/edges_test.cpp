@@ -208,36 +208,6 @@ TEST(EdgeOrders, DefaultPointsAlongAnEdgeAreEnough) {
   EXPECT_LE(worst, 4e-4);
 }
 
-/// Largest change of S over a cut of a plate of 3 wavelengths [wavelengths] when F is evaluated with this tier.
-double change_by_tier(int order, TransitionTier tier) {
-  std::vector<Direction> looks;
-  for (const double phi : {0.0, 0.5})  // along two sides of the plate, and across all four
-    for (double theta = 2.5; theta < 90; theta += 5) looks.push_back({theta * degree, phi});
-  SolveOptions exact = options(EdgeMethod::fringe, 2.0), rough = exact;
-  exact.edges.order = rough.edges.order = order;
-  rough.edges.transition = tier;
-  const SweepResult a = solve_soup(shapes::plate(3), monostatic(looks, frequency), exact);
-  const SweepResult b = solve_soup(shapes::plate(3), monostatic(looks, frequency), rough);
-  double largest = 0.0;
-  for (std::size_t row = 0; row < looks.size(); ++row) largest = std::max(largest, difference(a.total[row], b.total[row]));
-  return largest;
-}
-
-TEST(EdgeOrders, RoughTransitionFunctionsPlayAPartFromOrderTwoOn) {
-  using enum TransitionTier;
-  EXPECT_EQ(change_by_tier(1, as_printed), 0.0);
-  for (const int order : {2, 3}) {
-    const double rough = change_by_tier(order, kouyoumjian_pathak), wrong = change_by_tier(order, as_printed);
-    measured("plate 3 wavelengths, Kouyoumjian-Pathak tier, largest change of S", rough, "wavelengths");
-    measured("plate 3 wavelengths, misprinted tier, largest change of S", wrong, "wavelengths");
-    // An error of 0.008 or 0.5 in the current over part of a strip, on edges of 3 wavelengths.
-    EXPECT_GT(rough, 1e-4);
-    EXPECT_LT(rough, 0.02);
-    EXPECT_GT(wrong, 0.02);
-    EXPECT_LT(wrong, 1.0);
-  }
-}
-
 TEST(EdgeOrders, ReceiverShadowHidesWhatTheReceiverCannotSee) {
   // Monostatic: the receiver sees what the transmitter lights, so nothing changes, to the bit. From the opposite corner of a
   // cube the two see six common edges out of nine, the outline.

@@ -1,11 +1,12 @@
 // Closed forms for one strip of a face against exact references.
+#include "utd/multiple/strip_kernels.h"
+
 #include <gtest/gtest.h>
 
 #include "math/erfc_ray.h"
 #include "run.h"
 #include "strip_2d.h"
 #include "unit/quadrature.h"
-#include "utd/multiple/strip_kernels.h"
 
 namespace raytube {
 namespace {
@@ -281,32 +282,6 @@ TEST(StripKernels, AKernelDoesNotDependOnItsIndexInTheBatch) {
         }
       }
   }
-}
-
-/// Largest error of G_h, relative to 1 + |G_h|, that a rough transition function causes where the quotients are removable:
-/// observer on the boundary of a wave (divided differences) and along the strip (erf(z)/z), strips down to nothing.
-double worst_of_tier(TransitionTier tier) {
-  double worst = 0.0;
-  for (const double n : {2.0, 1.5})
-    for (const double source : {0.0, 0.3, 0.8, 2.9, pi - 1e-6, pi + 1e-6, n * pi})
-      for (const double off : {0.0, 1e-12, 1e-6, 1e-3, 0.03})
-        for (const double h : {std::abs(std::cos(source / 2)) + off, off})
-          for (const double length : {1e-9, 1e-4, 0.1, 0.5, 3.0, 40.0, 1e3}) {
-            const Complex rough = kernels_at(Strip(n, incidence_at(source), h, tier), length).current.hard;
-            const Complex exact = kernels_at(Strip(n, incidence_at(source), h), length).current.hard;
-            worst = std::fmax(worst, std::abs(rough - exact) / (1 + std::abs(exact)));
-            EXPECT_TRUE(std::isfinite(std::abs(rough))) << n << ' ' << source << ' ' << h << ' ' << length;
-          }
-  return worst;
-}
-
-TEST(StripKernels, RoughTransitionFunctionsStayFiniteWhereQuotientsAreRemovable) {
-  const double rough = worst_of_tier(TransitionTier::kouyoumjian_pathak), wrong = worst_of_tier(TransitionTier::as_printed);
-  measured("kernels with the Kouyoumjian-Pathak tier, largest relative error", rough, "");
-  measured("kernels with the misprinted tier, largest relative error", wrong, "");
-  EXPECT_LE(rough, 0.0078);  // the error of F itself: where a quotient would multiply it the strip is exact
-  EXPECT_GE(rough, 0.001);
-  EXPECT_LE(wrong, 2);  // W(0) = -j instead of 1
 }
 
 TEST(StripKernels, SumsOverColumnsTakeTheRightElements) {
