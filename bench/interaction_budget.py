@@ -4,7 +4,7 @@
     bench/interaction_budget.py PROGRAM MESH... [--ghz 3 10] [--looks 6] [--unit m] [--threads 1]
 
 Each mesh is solved with and without `edges.between`; a line says the seconds of each, their ratio, the peak of memory over
-what `check` says, and the time over what `check` says. The constants of src/utd/work.h were fitted to such lines: those of
+what `check` says, and the time over what `check` says. The constants of src/utd/wedge/work.h were fitted to such lines: those of
 tubes and edges to the seconds without, those of the interaction to the difference.
 """
 import argparse

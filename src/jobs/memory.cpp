@@ -112,7 +112,7 @@ Need need_of(const SolvePlan& plan, const Case& c, const RandomOptions* random) 
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
   const double stored =
-      c.netcdf ? stored_bytes_per_row(plan.tell_parts, c.tubes.max_bounces) * static_cast<double>(c.sweep.rows()) : 0.0;
+      c.netcdf ? stored_bytes_per_row(plan.tell_parts ? plan.columns() : 0) * static_cast<double>(c.sweep.rows()) : 0.0;
   return {solve.rows + stored + (random ? random_bytes(c, *random) : 0.0), image_bytes(plan, c),
           solve.sums + plan.threads * bytes_per_thread,
           held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};

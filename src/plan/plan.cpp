@@ -281,6 +281,12 @@ double BandPlan::shortest_wavelength() const { return wavelength(std::ranges::ma
 
 double SolvePlan::shortest_wavelength() const { return wavelength(std::ranges::max(sweep.frequencies)); }
 
+std::size_t SolvePlan::columns() const {
+  auto count = static_cast<std::size_t>(max_bounces());
+  for (const MechanismEntry& mechanism : mechanisms) count += mechanism.columns.size();
+  return count;
+}
+
 std::size_t SolvePlan::index_of(std::string_view name) const {
   const auto found = std::ranges::find(mechanisms, name, &MechanismEntry::name);
   assert(found != mechanisms.end());

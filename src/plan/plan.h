@@ -74,6 +74,8 @@ struct SolvePlan {
   /// What adds up the paths, over ground.
   GroundReflections reflections() const { return {*ground, asked, sweep, target.mesh.center}; }
 
+  /// Columns of S that a result has at most: one for each bounce, and those of the mechanisms.
+  std::size_t columns() const;
   /// Where a mechanism of this name stands among `mechanisms`; it must be there.
   std::size_t index_of(std::string_view name) const;
   /// What it says of itself.

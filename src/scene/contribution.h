@@ -33,7 +33,7 @@ struct Contribution {
   std::vector<double> missing{};                   // [frequency] left out for the budget's sake [m]; empty: nothing
   std::vector<bool> ran{};                         // [frequency]; empty: at none
   double most_db = 0.0;  // most by which it was expected to move a co-polar row where it did not run [dB]
-  double work = 0.0;     // counted work (utd/work.h)
+  double work = 0.0;     // counted work (utd/wedge/work.h)
   double reach = 1.0;    // share of what is expected of it that its budget allows, where that is too little
   std::vector<Count> counts{};
 

@@ -16,15 +16,9 @@ namespace {
 // A look, its directions, its place in the plan and in the collector, and the plan's key of it in a hash table.
 constexpr double bytes_per_look = sizeof(Look) + sizeof(LookSource) + 4 * sizeof(std::size_t) + 80 + omissions * sizeof(double);
 
-// Of the mechanisms beside the tubes.
-double columns_of(const SolvePlan& plan) {
-  double count = 0.0;
-  for (const MechanismEntry& mechanism : plan.mechanisms) count += static_cast<double>(mechanism.columns.size());
-  return count;
-}
-
-double bytes_per_row(const SolvePlan& plan, int bounces) {
-  const double parts = plan.keep_parts ? bounces + columns_of(plan) : 0.0, model = plan.keep_parts ? 1.0 + omissions : 1.0;
+double bytes_per_row(const SolvePlan& plan) {
+  const double parts = plan.keep_parts ? static_cast<double>(plan.columns()) : 0.0,
+               model = plan.keep_parts ? 1.0 + omissions : 1.0;
   return (1.0 + model) * sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
@@ -89,8 +83,9 @@ MemoryEstimate estimate_memory(const SolvePlan& plan) {
   const std::size_t frequencies = plan.sweep.frequencies.size();
   const auto rows = static_cast<double>(plan.sweep.rows()), looks = static_cast<double>(plan.sweep.looks.size());
   const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
-  const double edge_sums = columns_of(plan) * static_cast<double>(frequencies) * sizeof(ScatteringMatrix);
-  return {rows * bytes_per_row(plan, bounces) + looks * bytes_per_look,
+  const double edge_sums =
+      static_cast<double>((plan.columns() - static_cast<std::size_t>(bounces)) * frequencies * sizeof(ScatteringMatrix));
+  return {rows * bytes_per_row(plan) + looks * bytes_per_look,
           static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + refined_bytes(plan) +
                                             edge_sums + mechanism_bytes(plan, &MechanismEntry::look_bytes)),
           mechanism_bytes(plan, &MechanismEntry::bytes)};

@@ -38,7 +38,7 @@ struct WavesAtEdges {
 /// What edge-face interaction of one look may leave and take.
 struct InteractionLimits {
   double tolerance;                        // of its quadrature [m]
-  double work;                             // counted (utd/work.h), at one frequency; bodies of few parts are computed whole
+  double work;                             // counted (utd/wedge/work.h), at one frequency; bodies of few parts are computed whole
   const NearAntennas* antennas = nullptr;  // of InteractionOptions
   double least_reach = 0.0;                // groups of frequencies of which it reaches less are left out
 };

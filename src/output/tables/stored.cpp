@@ -144,12 +144,12 @@ StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::st
   return stored;
 }
 
-double stored_bytes_per_row(bool parts, int bounces) {
-  constexpr double levels = 5.0, mechanisms_beside_bounces = 4.0, model_parts = 16.0, buffers = 1.0;
+double stored_bytes_per_row(std::size_t columns) {
+  constexpr double levels = 5.0, model_parts = 16.0, buffers = 1.0;
   const double kept = sizeof(ScatteringMatrix) + (levels + buffers) * sizeof(ChannelErrors);
   constexpr double copies = 2.0;  // a file is made in memory first
-  if (!parts) return copies * kept;
-  return copies * (kept + (bounces + mechanisms_beside_bounces) * sizeof(ScatteringMatrix) + model_parts * sizeof(ChannelErrors));
+  if (columns == 0) return copies * kept;
+  return copies * (kept + static_cast<double>(columns) * sizeof(ScatteringMatrix) + model_parts * sizeof(ChannelErrors));
 }
 
 Sweep sweep_of(const StoredResult& result) {

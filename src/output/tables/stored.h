@@ -16,8 +16,8 @@ StoredResult stored_sweep(const Sweep& sweep);
 /// All that files say of a solve. `note` is a further comment line of rcs.csv, or empty. Attributes are the caller's.
 StoredResult stored(const Sweep& sweep, const SweepResult& result, const std::string& note = "");
 
-/// Bytes that stored() takes for each row, and its way into a file; parts for so many bounces.
-double stored_bytes_per_row(bool parts, int bounces);
+/// Bytes that stored() takes for each row, and its way into a file, with so many columns of mechanisms; 0: they are not kept.
+double stored_bytes_per_row(std::size_t columns);
 
 /// What was asked for, as far as a file says it: frequencies and looks, without antennas and materials.
 Sweep sweep_of(const StoredResult& result);

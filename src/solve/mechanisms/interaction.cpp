@@ -33,7 +33,7 @@ void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
   }
 }
 
-// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (utd/work.h).
+// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (utd/wedge/work.h).
 constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
 
 // S of a body that scatters all round what its surface intercepts on average over all directions, a quarter of its area if it is

@@ -18,7 +18,7 @@ double interaction_look_bytes(const SolvePlan& plan);
 void tell_interaction(const SolvePlan& plan, const Contribution& interaction, std::size_t frequency, RowEvidence& row);
 
 /// What edge-face interaction may leave and take in a look: the same in all of them, whatever the frequencies, of the counted
-/// work (utd/work.h) that tubes and edges of such a target take.
+/// work (utd/wedge/work.h) that tubes and edges of such a target take.
 InteractionLimits interaction_limits(const SolvePlan& plan);
 
 }  // namespace raytube

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

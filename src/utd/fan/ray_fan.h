@@ -42,7 +42,7 @@ class RayFanTracer {
   /// what both cover.
   void trace(const RayFan& fan, const IgnoredPatches& ignored_patches, std::vector<FanHit>& hits);
 
-  /// Counted, of all traces so far (utd/work.h).
+  /// Counted, of all traces so far (utd/wedge/work.h).
   double work() const { return work_; }
 
  private:

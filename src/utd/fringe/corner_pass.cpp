@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

@@ -15,7 +15,7 @@ struct EdgeLookResult {
   std::uint64_t wedges_lit = 0;
   bool lit = false;            // any edge radiates
   std::vector<bool> windowed;  // per frequency: the forward-grazing window changed the sum
-  double work = 0.0;           // counted, of this look (utd/work.h)
+  double work = 0.0;           // counted, of this look (utd/wedge/work.h)
 };
 
 }  // namespace raytube

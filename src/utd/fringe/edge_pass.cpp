@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "scene/frequency_bands.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

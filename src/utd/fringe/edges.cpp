@@ -4,7 +4,7 @@
 
 #include "core/threads.h"
 #include "utd/fringe/corner_pass.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

@@ -33,7 +33,7 @@ struct SurfaceLight {
   std::span<const std::size_t> frequencies{};
 };
 
-/// S of what these waves start at the edges, per frequency; added to `scattering`. Counted work (utd/work.h).
+/// S of what these waves start at the edges, per frequency; added to `scattering`. Counted work (utd/wedge/work.h).
 double add_arrivals(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
                     const FringeOptions& options, const SurfaceLight& light, std::span<ScatteringMatrix> scattering);
 

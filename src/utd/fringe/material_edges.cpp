@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "utd/shadow/edge_phase.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

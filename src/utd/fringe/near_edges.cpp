@@ -8,7 +8,7 @@
 #include "scene/frequency_bands.h"
 #include "utd/fringe/corner_pass.h"
 #include "utd/fringe/near_pieces.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

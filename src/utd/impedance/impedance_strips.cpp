@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

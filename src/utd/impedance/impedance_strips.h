@@ -20,7 +20,7 @@ class ImpedanceStrips {
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit,
            std::span<ScatteringMatrix> sums);
 
-  /// Counted (utd/work.h).
+  /// Counted (utd/wedge/work.h).
   double work() const { return work_; }
 
  private:

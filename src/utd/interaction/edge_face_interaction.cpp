@@ -16,13 +16,14 @@
 #include "utd/interaction/penumbra_fringe.h"
 #include "utd/interaction/reflected_light.h"
 #include "utd/shadow/lit_edges.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr int reflected_order = 2;        // of fringe currents by reflected light: the third order no longer shows
+// Fringe currents of edges lit by a reflection: the third order no longer shows.
+constexpr FringeOptions reflected_fringe{.order = 2, .receiver_shadow = false, .continue_by_images = true};
 constexpr double least_tolerance = 1e-4;  // [wavelengths] the rules along the rays are no better; part of the estimate
 
 // Shares of the work: of finding direct light, reflected light, the bounds of pairs, the pairs themselves, and fringe currents
@@ -72,7 +73,7 @@ class InteractionLook {
       result.scattering.resize(frequencies_.size());
       result.illuminating_pieces = jobs_.size();
       add(illuminate(options, {}, result), result);
-      const double fringe_squares = options.order > 1 ? add_fringe(options, result) + add_penumbra(result) : 0.0;
+      const double fringe_squares = options.order > 1 ? add_fringe(result) + add_penumbra(result) : 0.0;
       estimate_left_out(fringe_squares, result);
     }
     result.work = work_;
@@ -90,11 +91,10 @@ class InteractionLook {
     std::vector<ImageEdge> pieces = std::move(sum.pieces);
     if (options.order == 1) return pieces;
     take_penumbra_apart(pieces);
-    for_each_fringe(options, 1, result, [&](const EdgeLookResult&, auto&&, const auto& looks, const ReflectedWave& wave) {
+    for_each_fringe(1, result, [&](const EdgeLookResult&, auto&&, const auto& looks, const ReflectedWave& wave) {
       for (const ReflectedLook& look : looks)
-        std::ranges::copy(
-            reflected_fringe_pieces(scene_.edges, look, frequencies_, fringe_options(options), place_of(wave.patches)),
-            std::back_inserter(pieces));
+        std::ranges::copy(reflected_fringe_pieces(scene_.edges, look, frequencies_, reflected_fringe, place_of(wave.patches)),
+                          std::back_inserter(pieces));
     });
     return pieces;
   }
@@ -109,7 +109,7 @@ class InteractionLook {
     for (std::size_t i = 0; i < jobs_.size(); ++i) images.push_back(image_of(*jobs_[i].piece, sum.of_jobs[i]));
     if (options.order == 1) return images;
     add_penumbra(frequency_index, images);
-    for_each_fringe(options, 1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces, auto&&...) {
+    for_each_fringe(1, result, [&](const EdgeLookResult& part, std::span<const LitEdgePiece> pieces, auto&&...) {
       images.push_back(image_of(pieces.front(), part.scattering[frequency_index] + part.higher[frequency_index]));
     });
     return images;
@@ -236,18 +236,18 @@ class InteractionLook {
 
   // Of waves reflected once: all at a time, or as long as there is work for them. Returns the sum of squares of what the others
   // may add [m^2].
-  double add_fringe(const InteractionOptions& options, InteractionResult& result) {
+  double add_fringe(InteractionResult& result) {
     const auto add = [&](const EdgeLookResult& sum, auto&&...) {
       for (std::size_t f = 0; f < frequencies_.size(); ++f) {
         result.scattering[f] += sum.scattering[f];
         result.scattering[f] += sum.higher[f];
       }
     };
-    if (is_limited()) return for_each_fringe(options, edges_at_a_time, result, add);
+    if (is_limited()) return for_each_fringe(edges_at_a_time, result, add);
     std::vector<ReflectedLook> looks;
     for (const ReflectedWave& wave : reflected_)
       if (wave.patches.size() == 1) add_looks(wave, wave.lit, looks);
-    const EdgeLookResult sum = fringe(looks, options);
+    const EdgeLookResult sum = fringe(looks);
     work_ += sum.work;
     add(sum);
     return 0.0;
@@ -274,7 +274,7 @@ class InteractionLook {
   // Calls use(sum, pieces, looks, wave) for a few lit pieces at a time. Returns what the weaker ones may add that the work does
   // not pay for, as a sum of squares [m^2].
   template <class Use>
-  double for_each_fringe(const InteractionOptions& options, std::size_t at_a_time, InteractionResult& result, Use use) {
+  double for_each_fringe(std::size_t at_a_time, InteractionResult& result, Use use) {
     std::vector<double> bounds;
     for (const ReflectedWave& wave : reflected_)
       for (const LitEdgePiece& piece : wave.lit)
@@ -293,7 +293,7 @@ class InteractionLook {
         const std::span<const LitEdgePiece> pieces = std::span(strong).subspan(first, std::min(at_a_time, strong.size() - first));
         std::vector<ReflectedLook> looks;
         add_looks(wave, pieces, looks);
-        const EdgeLookResult sum = fringe(looks, options);
+        const EdgeLookResult sum = fringe(looks);
         work_ += sum.work;
         use(sum, pieces, looks, wave);
       }
@@ -368,10 +368,9 @@ class InteractionLook {
     }
   }
 
-  EdgeLookResult fringe(std::span<const ReflectedLook> looks, const InteractionOptions& options) const {
-    return reflected_fringe_scattering(scene_.edges, looks, frequencies_, fringe_options(options));
+  EdgeLookResult fringe(std::span<const ReflectedLook> looks) const {
+    return reflected_fringe_scattering(scene_.edges, looks, frequencies_, reflected_fringe);
   }
-  static FringeOptions fringe_options(const InteractionOptions& options) { return {reflected_order, false, true}; }
 
   PathPlace place_of(std::span<const std::uint32_t> mirrors) const {
     PathPlace place{look_.scattered};

@@ -58,7 +58,7 @@ struct InteractionResult {
   std::vector<double> left_out;
   InteractionSkips skipped{};
   std::uint64_t pairs = 0;  // of an edge and a face, computed; counted where work is limited
-  double work = 0.0;        // counted (utd/work.h)
+  double work = 0.0;        // counted (utd/wedge/work.h)
 };
 
 /// A target as diffracted waves meet it.
@@ -75,7 +75,7 @@ struct InteractionScene {
 struct InteractionOptions {
   int order = 3;                                          // of the fringe currents
   double tolerance = 0.0;                                 // at which quadrature stops, as far as it can tell [m]
-  double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (utd/work.h)
+  double work = std::numeric_limits<double>::infinity();  // of a look by the prices of its steps, at one frequency (utd/wedge/work.h)
   const NearAntennas* antennas = nullptr;                 // at a finite distance, where S is as of these; none: plane waves
 };
 

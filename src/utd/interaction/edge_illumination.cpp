@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "scene/frequency_bands.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

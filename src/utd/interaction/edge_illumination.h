@@ -96,7 +96,7 @@ class EdgeIllumination {
   /// How many rows of rays arrive at faces there.
   std::size_t rows(double azimuth);
 
-  /// Counted so far (utd/work.h).
+  /// Counted so far (utd/wedge/work.h).
   double work() const { return work_ + tracer_.work(); }
 
  private:

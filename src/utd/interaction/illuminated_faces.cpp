@@ -6,7 +6,7 @@
 #include "scene/frequency_bands.h"
 #include "utd/interaction/azimuth_cuts.h"
 #include "utd/interaction/near_illumination.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

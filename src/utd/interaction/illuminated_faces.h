@@ -10,7 +10,7 @@ namespace raytube {
 struct IlluminatedFaces {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]; phase reference: origin of the mesh's coordinates
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
-  double work = 0.0;                         // counted (utd/work.h)
+  double work = 0.0;                         // counted (utd/wedge/work.h)
   std::vector<ImageEdge> pieces{};           // of the only wavenumber, each at the place of its path, if asked for
 };
 

@@ -9,7 +9,7 @@
 
 #include "core/threads.h"
 #include "utd/interaction/pair_reach.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

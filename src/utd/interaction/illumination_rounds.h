@@ -18,7 +18,7 @@ struct IlluminationSum {
   double bound_squares = 0.0;                // of the same pairs [m^2]
   std::uint64_t pairs = 0;                   // so many these are
   LeftOut beyond;                            // pairs for which no work was left
-  double work = 0.0;                         // counted (utd/work.h)
+  double work = 0.0;                         // counted (utd/wedge/work.h)
 };
 
 /// What all illuminations of a look have in common.

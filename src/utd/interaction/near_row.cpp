@@ -8,7 +8,7 @@
 #include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/wedge/detour.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

@@ -58,7 +58,7 @@ class NearRowIntegral {
   /// Adds to `density`, per wavenumber, what the rays of the row excite [m].
   void add(const NearRow& row, const std::array<double, 2>& corners, std::vector<ScatteringMatrix>& density);
 
-  /// Counted so far (utd/work.h).
+  /// Counted so far (utd/wedge/work.h).
   double work() const { return work_; }
 
  private:

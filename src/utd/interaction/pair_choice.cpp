@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "utd/interaction/pair_reach.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

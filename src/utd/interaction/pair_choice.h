@@ -30,7 +30,7 @@ struct LeftOut {
 struct PairChoice {
   std::vector<EdgeFacePair> strongest;  // strongest first; of pairs as strong, in the order of jobs and patches
   LeftOut weak, beyond;
-  double work = 0.0;  // counted (utd/work.h)
+  double work = 0.0;  // counted (utd/wedge/work.h)
 };
 
 /// What may be chosen from.

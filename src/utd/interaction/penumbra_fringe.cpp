@@ -8,7 +8,7 @@
 #include "scene/frequency_bands.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/wedge/diffracted_field.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 
@@ -271,7 +271,7 @@ double PenumbraFringe::work_of_panels(double length) {
 }
 
 double PenumbraFringe::work_of_panel(std::size_t frequencies) {
-  return lanes * (work::tube_ray + work::edge_amplitude * (1 + static_cast<double>(frequencies)));
+  return lanes * (work::blocker_ray + work::edge_amplitude * (1 + static_cast<double>(frequencies)));
 }
 
 const ChebyshevNodes* PenumbraFringe::nodes_of(double half_span) {

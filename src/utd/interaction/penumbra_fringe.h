@@ -33,9 +33,9 @@ class PenumbraFringe {
   /// Whether the wave of `source` meets the middle of `lit` on the boundary at which this light ends, as close as add() tells.
   bool ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const;
 
-  /// Work that add() takes, but for panels that end where the wave jumps or bends (utd/work.h).
+  /// Work that add() takes, but for panels that end where the wave jumps or bends (utd/wedge/work.h).
   double work_of(const LitEdgePiece& source) const;
-  /// Counted so far (utd/work.h).
+  /// Counted so far (utd/wedge/work.h).
   double work() const { return work_; }
 
  private:

@@ -7,7 +7,7 @@
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/pair_reach.h"
 #include "utd/wedge/incidence.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

@@ -32,13 +32,13 @@ class ReflectedLight {
                  double shortest_axis = 0.0);
 
   /// The waves that light any edge after 1 to `most` reflections. Where one reflection more would make more than 20 000 pairs of
-  /// an edge and a sequence of mirrors, or more than `most_work` (utd/work.h), the shorter sequences are all; of single
+  /// an edge and a sequence of mirrors, or more than `most_work` (utd/wedge/work.h), the shorter sequences are all; of single
   /// reflections it is then the largest mirrors and the longest edges that count. Light does not end at the border of a beam:
   /// within a twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it
   /// jumps in no look; it is 1/2 on the border itself.
   std::deque<ReflectedWave> waves(int most, double most_work = std::numeric_limits<double>::infinity());
 
-  /// Counted so far (utd/work.h).
+  /// Counted so far (utd/wedge/work.h).
   double work() const { return tracer_.work(); }
   /// Pairs of an edge and a sequence of mirrors that waves() did not look at.
   std::uint64_t pairs_left_out() const { return pairs_left_out_; }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "utd/multiple/strip_walk.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

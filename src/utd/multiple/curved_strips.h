@@ -37,7 +37,7 @@ void find_curved_waves(const StripScene& scene, const StripLayout& strips, Curve
 /// strips one after another are followed, that one included.
 std::vector<StripWave> waves_from(const StripScene& scene, const WedgeSide& end, const dvec3& direction, int order);
 
-/// Counted (utd/work.h): of one wavenumber.
+/// Counted (utd/wedge/work.h): of one wavenumber.
 double work_of(const StripPath& path);
 
 }  // namespace raytube

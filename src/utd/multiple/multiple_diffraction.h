@@ -38,7 +38,7 @@ struct StripSums {
   std::vector<ScatteringMatrix> first;   // strips of the edges that the incident wave lights
   std::vector<ScatteringMatrix> higher;  // all that follow from them
   std::vector<bool> windowed;            // the forward-grazing window of semi-infinite strips touched the sum
-  double work = 0.0;                     // counted (utd/work.h)
+  double work = 0.0;                     // counted (utd/wedge/work.h)
 };
 
 /// Adds edge after edge of one look. Where a face ends at a convex wedge the fringe current grazes that edge and diffracts there

@@ -76,7 +76,7 @@ class WaveTree {
   /// (curved_strips.h).
   bool runs_over_curved(const StripWave& wave) const { return curved_ != nullptr && curved_->curved(wave.wedge, wave.face); }
 
-  /// Counted, of growing this tree (utd/work.h).
+  /// Counted, of growing this tree (utd/wedge/work.h).
   double work() const { return work_; }
 
  private:

@@ -4,7 +4,7 @@
 
 #include "scene/frequency_bands.h"
 #include "utd/shadow/edge_phase.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

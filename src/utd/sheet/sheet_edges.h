@@ -15,7 +15,7 @@ class SheetEdges {
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit,
            std::span<ScatteringMatrix> first, std::span<ScatteringMatrix> higher);
 
-  /// Counted (utd/work.h).
+  /// Counted (utd/wedge/work.h).
   double work() const;
 
  private:

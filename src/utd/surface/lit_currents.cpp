@@ -6,7 +6,7 @@
 #include "math/triangle_moments.h"
 #include "scene/frequency_bands.h"
 #include "utd/surface/lit_frame.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

@@ -10,7 +10,7 @@
 
 namespace raytube {
 
-/// Adds S to `sum` and returns what that cost (utd/work.h); perfect conductors. `places` may be null.
+/// Adds S to `sum` and returns what that cost (utd/wedge/work.h); perfect conductors. `places` may be null.
 double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, BandSum& sum,
                         StripPlaces* places);
 

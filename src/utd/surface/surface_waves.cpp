@@ -16,7 +16,7 @@
 #include "utd/surface/shadow_boundary.h"
 #include "utd/surface/strip_width.h"
 #include "utd/surface/surface_ray.h"
-#include "utd/work.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 

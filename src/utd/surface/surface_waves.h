@@ -26,7 +26,7 @@ struct SurfaceWaveResult {
   std::vector<ScatteringMatrix> scattering;  // [frequency], S [m], phase reference that of the look
   std::vector<SurfaceArrival> arrivals;      // hard waves that reach wedges; their radiation from there on is not in `scattering`
   std::uint64_t strips = 0;
-  double work = 0.0;  // counted (utd/work.h)
+  double work = 0.0;  // counted (utd/wedge/work.h)
 };
 
 /// What the currents on convex curved surfaces have beside physical optics in one look: perfect conductors, light that comes

@@ -227,7 +227,6 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
                            "\"method\": \"fringe\"",
                            "\"order\": 3",
                            "\"receiver_shadow\": false",
-                           "\"transition\": \"exact\"",
                            "\"thin_sheets\": true",
                            "\"min_wedge_deg\": 15.0",
                            "\"plots\": true"})

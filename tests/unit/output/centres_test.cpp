@@ -16,16 +16,15 @@ ScatteringMatrix amplitudes(double size) {
 }
 
 ScatteringCentres two_centres() {
-  ScatteringCentres found;
+  ScatteringCentres found{.centres = {}, .rest = {}, .mechanisms = {"bounce_1", "bounce_2", "bounce_3_on", "edges"}};
   found.centres.push_back({.place = {1.0, -2.5, 0.125},
                            .s = amplitudes(3.0),
+                           .shares = {0.0, 1.0, 0.0, 0.0},
                            .triangle = 7u,
                            .band = 0.25,
                            .azimuth = 0.5 * degree,
                            .elevation = degree});
-  found.centres.front().shares[1] = 1.0;
-  found.centres.push_back({.place = {0.0, 0.5, 0.0}, .s = amplitudes(1.0)});
-  found.centres.back().shares[3] = 1.0;
+  found.centres.push_back({.place = {0.0, 0.5, 0.0}, .s = amplitudes(1.0), .shares = {0.0, 0.0, 0.0, 1.0}});
   found.rest = amplitudes(0.5);
   return found;
 }

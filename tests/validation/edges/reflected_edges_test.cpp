@@ -35,7 +35,7 @@ struct Scene {
   }
 
   EdgeLookResult reflected(std::span<const ReflectedLook> looks, int order) const {
-    return reflected_fringe_scattering(edges(), looks, frequencies, {order, false, TransitionTier::exact, true});
+    return reflected_fringe_scattering(edges(), looks, frequencies, {order, false, true});
   }
 
   LoadedMesh loaded;

@@ -31,8 +31,7 @@ class CornerScene {
   std::vector<ScatteringMatrix> strips_at(std::span<const double> at, const LookVectors& look, int order,
                                           bool continue_by_images = true) const {
     const dvec3& center = loaded_.mesh.center;
-    MultipleDiffraction diffraction(target_.wedges, target_.outlines, nullptr, look, at, order, TransitionTier::exact,
-                                    continue_by_images);
+    MultipleDiffraction diffraction(target_.wedges, target_.outlines, nullptr, look, at, order, continue_by_images);
     for (std::uint32_t i = 0; i < target_.wedges.size(); ++i) {
       const Wedge& wedge = target_.wedges[i];
       const dvec3 start = wedge.start + center, end = wedge.end + center;
@@ -151,7 +150,7 @@ TEST(ImageContinuation, OfADihedralIsThatInTwoDimensions) {
   for (const double from : {20.0, 50.0, 300.0})
     for (const double to : {20.0, 61.0, 130.0, 200.0, 333.0}) {
       const LookVectors look = look_vectors({{pi / 2, from * degree}, {pi / 2, to * degree}});
-      MultipleDiffraction diffraction(target.wedges, target.outlines, nullptr, look, frequencies, 1, TransitionTier::exact, true);
+      MultipleDiffraction diffraction(target.wedges, target.outlines, nullptr, look, frequencies, 1, true);
       diffraction.add(static_cast<std::uint32_t>(outer - target.wedges.begin()), incidence_on(*outer, look.incident),
                       std::span(&all, 1));
       const StripSums sums = diffraction.take();

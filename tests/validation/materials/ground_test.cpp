@@ -150,8 +150,7 @@ TEST(Ground, PartsAndErrorsAreThoseOfItsPaths) {
     for (std::size_t row = 0; row < sweep.rows(); ++row) {
       ScatteringMatrix sum;
       for (const auto& bounce : result.bounces) sum += bounce[row];
-      for (const auto& part : result.parts.of)
-        if (!part.empty()) sum += part[row];
+      for (const MechanismRows& mechanism : result.mechanisms) sum += mechanism.rows[row];
       EXPECT_LT(largest_difference(sum, result.total[row]), 1e-12);
       EXPECT_EQ(result.total[row].vh(), result.total[row].hv());
       double squares = 0.0;

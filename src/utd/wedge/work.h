@@ -40,7 +40,6 @@ inline constexpr double surface_frequency = 100.0;  // the current there, at one
 inline constexpr double lit_point = 250.0;          // one point of the lit side
 inline constexpr double lit_frequency = 50.0;       // the current there, at one frequency
 
-// Tubes (sbr).
-inline constexpr double tube_ray = 1500.0;  // one ray of a tube
+inline constexpr double blocker_ray = 1500.0;  // one ray that looks for what blocks a wave
 
 }  // namespace raytube::work
