@@ -101,12 +101,13 @@ inline double co_polar_square(const ChannelErrors& errors) {
   return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]);
 }
 
-/// All of them times a factor.
+/// Adds errors to others, channel by channel.
 inline void add(const ChannelErrors& errors, ChannelErrors& sum) {
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q) sum[p][q] += errors[p][q];
 }
 
+/// All of them times a factor.
 inline ChannelErrors scaled(ChannelErrors errors, double factor) {
   for (std::array<double, 2>& received : errors)
     for (double& error : received) error *= factor;

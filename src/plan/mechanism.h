@@ -44,7 +44,7 @@ struct AmplitudeLimits {
 
 /// A column of parts.csv.
 struct MechanismColumn {
-  const char* name;
+  const char* name;                         // in files, behind the channel
   const char* label;                        // in sentences, with the key that switches it off
   double (*bound)(const AmplitudeLimits&);  // no row may exceed it [m]
 };

@@ -11,7 +11,11 @@
 namespace raytube {
 
 /// How the counts of several bands of frequencies become one count of the look. Counts of looks are added up.
-enum class Fold : std::uint8_t { sum, most, least };
+enum class Fold : std::uint8_t {
+  sum,   // they are added up
+  most,  // the largest one
+  least  // the smallest one
+};
 
 /// Something that a mechanism did so often, or left out for a reason.
 struct Count {
@@ -32,13 +36,14 @@ struct Contribution {
   std::vector<ChannelErrors> error{};              // [frequency] estimated numerical error [m]; empty: none
   std::vector<double> missing{};                   // [frequency] left out for the budget's sake [m]; empty: nothing
   std::vector<bool> ran{};                         // [frequency]; empty: at none
-  double most_db = 0.0;  // most by which it was expected to move a co-polar row where it did not run [dB]
-  double work = 0.0;     // counted work (utd/wedge/work.h)
-  double reach = 1.0;    // share of what is expected of it that its budget allows, where that is too little
-  std::vector<Count> counts{};
+  double most_db = 0.0;         // most by which it was expected to move a co-polar row where it did not run [dB]
+  double work = 0.0;            // counted work (utd/wedge/work.h)
+  double reach = 1.0;           // share of what is expected of it that its budget allows, where that is too little
+  std::vector<Count> counts{};  // of what it did and left out
 
   /// Its budget was too small for it to be begun.
   bool out_of_reach() const { return reach < 1.0; }
+  /// It ran at this frequency.
   bool ran_at(std::size_t frequency) const { return !ran.empty() && ran[frequency]; }
   /// S of one column at one frequency; zero where nothing is added [m].
   ScatteringMatrix at(std::size_t column, std::size_t frequency) const {

@@ -215,7 +215,7 @@ std::vector<BadRow> value_rows() {
       set("edges_order_half", "edges.order=1.5", "edges.order must be a whole number from 1 to 3 (found 1.5)"),
       set("edges_wedge_of_180", "edges.min_wedge_deg=180", "edges.min_wedge_deg must be at least 0 and less than 180"),
       set("edges_wedge_negative", "edges.min_wedge_deg=-1", "edges.min_wedge_deg must be at least 0"),
-      set("edges_transition_is_no_key", "edges.transition=exact", "edges.transition is unknown"),
+      set("edges_transition_is_no_key", "edges.transition=exact", "unknown key \"edges.transition\"; choose among edges.method"),
       set("utd_range_without_utd", "edges.utd_range_m=5", "edges.utd_range_m needs edges.method = \"utd\"; "),
       set("between_neither", "edges.between=maybe", "edges.between must be true, false or \"auto\""),
       set("surface_waves_neither", "surfaces.waves=1", "surfaces.waves must be true, false or \"auto\""),

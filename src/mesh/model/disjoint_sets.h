@@ -10,6 +10,7 @@ namespace raytube {
 /// Disjoint sets of the numbers below some count, at first each by itself. Each set is a tree.
 class DisjointSets {
  public:
+  /// Of the numbers below `count`.
   explicit DisjointSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }
 
   /// The member that stands for the set of `i`; with path halving.

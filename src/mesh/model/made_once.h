@@ -15,8 +15,11 @@ template <class Value>
 class MadeOnce {
  public:
   MadeOnce() = default;
+  /// Not made yet.
   MadeOnce(const MadeOnce& /*other*/) : MadeOnce() {}
+  /// Takes the value over.
   MadeOnce(MadeOnce&& other) noexcept : made_(std::exchange(other.made_, std::make_unique<Made>())) {}
+  /// As copied or moved.
   MadeOnce& operator=(MadeOnce other) noexcept {
     std::swap(made_, other.made_);
     return *this;
