@@ -16,7 +16,7 @@ concept Plain = std::is_trivially_copyable_v<Value>;
 
 /// Lists its members for both ways: members(value, take).
 template <class Value>
-concept Listed = requires(Value& value) {
+concept Listed = !Plain<Value> && requires(Value & value) {
   Value::members(value, [](auto&) {});
 };
 

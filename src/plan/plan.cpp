@@ -1,11 +1,11 @@
 #include "plan/plan.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 #include <limits>
 #include <map>
 #include <ranges>
+#include <stdexcept>
 
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/bodies.h"
@@ -289,7 +289,7 @@ std::size_t SolvePlan::columns() const {
 
 std::size_t SolvePlan::index_of(std::string_view name) const {
   const auto found = std::ranges::find(mechanisms, name, &MechanismEntry::name);
-  assert(found != mechanisms.end());
+  if (found == mechanisms.end()) throw std::out_of_range("no mechanism " + std::string(name));
   return static_cast<std::size_t>(found - mechanisms.begin());
 }
 

@@ -38,8 +38,10 @@ struct SolvePlan {
   /// What adds to S beside the tubes is in `list`.
   SolvePlan(const Target& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {},
             const std::vector<MechanismEntry>& list = mechanism_list());
-  SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
-  SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {}) = delete;
+  SolvePlan(const Target& target, Sweep&& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {},
+            const std::vector<MechanismEntry>& list = mechanism_list()) = delete;
+  SolvePlan(Target&& target, const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground = {},
+            const std::vector<MechanismEntry>& list = mechanism_list()) = delete;
 
   const Target& target;                        // as given
   const Sweep& asked;                          // as given
@@ -76,7 +78,7 @@ struct SolvePlan {
 
   /// Columns of S that a result has at most: one for each bounce, and those of the mechanisms.
   std::size_t columns() const;
-  /// Where a mechanism of this name stands among `mechanisms`; it must be there.
+  /// Where a mechanism of this name stands among `mechanisms`; throws std::out_of_range if it is not there.
   std::size_t index_of(std::string_view name) const;
   /// What it says of itself.
   const MechanismState& state(std::string_view name) const { return states[index_of(name)]; }

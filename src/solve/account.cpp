@@ -12,25 +12,34 @@ namespace raytube {
 
 Account::Account(const SolvePlan& plan)
     : plan_(plan),
+      tube_counts_{{"tubes", "empty cells of the grid"},
+                   {"faces in a look", "turned away from the transmitter"},
+                   {"tubes of a look", "the target has no projected area"}},
+      counts_(plan.mechanisms.size()),
       used_(plan.mechanisms.size()),
       beyond_(plan.mechanisms.size()),
+      without_(plan.mechanisms.size()),
       most_reach_(plan.mechanisms.size()),
       sliver_areas_(plan.looks.computed.size()) {
-  for (const MechanismEntry& mechanism : plan.mechanisms)
-    for (const char* name : mechanism.counts) counts_.push_back({name});
+  for (std::size_t i = 0; i < counts_.size(); ++i)
+    for (const char* name : plan.mechanisms[i].counts) counts_[i].push_back({name});
 }
 
 void Account::add(std::size_t index, const LookResult& look, std::size_t following) {
   add_tubes(index, look.tubes);
-  if (look.tubes.tubes == 0 && !plan_.rays()) add_count({"tubes of a look", "the target has no projected area", 1}, following);
+  if (look.tubes.tubes == 0 && !plan_.rays()) tube_counts_[2].count += following;
   for (std::size_t i = 0; i < look.mechanisms.size(); ++i) {
     const Contribution& part = look.mechanisms[i];
-    for (const Count& count : part.counts) add_count(count, following);
+    for (const Count& count : part.counts)
+      if (!part.out_of_reach() || count.fold != Fold::least) add_count(count, following, counts_[i]);
     if (!plan_.states[i].on) continue;
     ++(part.ran.empty() || part.out_of_reach() ? used_[i].looks_without : used_[i].looks);
     used_[i].most_db = std::max(used_[i].most_db, part.most_db);
-    if (!part.out_of_reach()) continue;
-    ++beyond_[i];
+    if (!part.out_of_reach()) {
+      if (part.ran.empty()) without_[i] += following;
+      continue;
+    }
+    beyond_[i] += following;
     most_reach_[i] = std::max(most_reach_[i], part.reach > 0.0 ? part.reach : least_reach);
   }
 }
@@ -45,25 +54,19 @@ void Account::add_tubes(std::size_t index, const TubeSums& tubes) {
   sliver_areas_[index] = tubes.sliver_area;
   if (all_.hits.size() < tubes.hits.size()) all_.hits.resize(tubes.hits.size());
   for (std::size_t b = 0; b < tubes.hits.size(); ++b) all_.hits[b] += tubes.hits[b];
-  add_count({"tubes", "empty cells of the grid", tubes.empty_cells}, 1);
-  add_count({"faces in a look", "turned away from the transmitter", tubes.faces_away}, 1);
+  tube_counts_[0].count += tubes.empty_cells;
+  tube_counts_[1].count += tubes.faces_away;
 }
 
-void Account::add_count(const Count& count, std::size_t looks) {
-  auto known = std::ranges::find_if(counts_, [&](const Count& each) { return each.like(count); });
-  if (known == counts_.end()) known = counts_.insert(counts_.end(), {count.what, count.why});
+void Account::add_count(const Count& count, std::size_t looks, std::vector<Count>& counts) {
+  auto known = std::ranges::find_if(counts, [&](const Count& each) { return each.like(count); });
+  if (known == counts.end()) known = counts.insert(counts.end(), {count.what, count.why});
   known->count += count.count * looks;
 }
 
 Statistics Account::finish() {
   tell_tubes();
   for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i) tell_mechanism(i);
-  for (const Count& count : counts_) {
-    if (count.why.empty())
-      all_.counts.push_back(count);
-    else if (count.count > 0)
-      all_.skipped.push_back({count.what, count.why, count.count});
-  }
   all_.mechanisms = used_;
   tell_lost_rays();
   all_.wedges = plan_.target.wedges.size();
@@ -82,6 +85,17 @@ void Account::tell_tubes() {
   std::ranges::copy(plan_.skips, std::back_inserter(all_.skipped));
   if (plan_.tubes.skip && plan_.no_reflection() && !all_.hits.empty() && all_.hits[0] > 0)
     all_.skipped.push_back({"reflected tubes", nothing_in_front, all_.hits[0]});
+  tell_counts(tube_counts_);
+}
+
+// What was done by its name, and what was left out by its reason.
+void Account::tell_counts(const std::vector<Count>& counts) {
+  for (const Count& count : counts) {
+    if (count.why.empty())
+      all_.counts.push_back(count);
+    else if (count.count > 0)
+      all_.skipped.push_back({count.what, count.why, count.count});
+  }
 }
 
 // Whether it took part, and what is without it.
@@ -100,13 +114,17 @@ void Account::tell_mechanism(std::size_t i) {
     const std::string share =
         most_reach_[i] < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * most_reach_[i]) : "";
     leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), beyond_[i]);
+  }
+  if (use.most_db == 0.0) {
+    leave_out("there is nothing for it to work on", without_[i]);
   } else if (!state.forced) {
     leave_out(
         fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about {:.2g} dB at most, "
                     "accuracy.tolerance_db is {:g}",
                     use.most_db, plan_.tubes.tolerance_db),
-        use.looks_without);
+        without_[i]);
   }
+  tell_counts(counts_[i]);
 }
 
 void Account::tell_lost_rays() {

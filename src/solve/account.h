@@ -1,6 +1,7 @@
 // What happened in a solve, in counts and in words.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -17,27 +18,31 @@ class Account {
   /// Computed look `index`, from which so many looks of the sweep follow, itself among them. In any order, one at a time.
   void add(std::size_t index, const LookResult& look, std::size_t following);
 
-  /// Everything but `beyond_bound` and the time.
+  /// The statistics, complete but for `beyond_bound` and the time; called once, last.
   Statistics finish();
 
-  const std::vector<Count>& counts() const { return counts_; }
+  /// Of one mechanism.
+  const std::vector<Count>& counts(std::size_t mechanism) const { return counts_[mechanism]; }
   const Statistics& so_far() const { return all_; }
   const std::vector<MechanismUse>& used() const { return used_; }
 
  private:
   void add_tubes(std::size_t index, const TubeSums& tubes);
-  void add_count(const Count& count, std::size_t looks);
+  static void add_count(const Count& count, std::size_t looks, std::vector<Count>& counts);
   void tell_tubes();
+  void tell_counts(const std::vector<Count>& counts);
   void tell_mechanism(std::size_t mechanism);
   void tell_lost_rays();
 
   const SolvePlan& plan_;
   Statistics all_;
-  std::vector<Count> counts_;                              // of tubes and mechanisms
-  std::vector<MechanismUse> used_;                         // [mechanism]
-  std::vector<std::uint64_t> beyond_;                      // [mechanism] looks that its budget does not reach
-  std::vector<double> most_reach_;                         // [mechanism] of what is expected of it, in these looks
-  std::vector<double> sliver_areas_;                       // of each computed look: the one count whose sum depends on its order
+  std::vector<Count> tube_counts_;
+  std::vector<std::vector<Count>> counts_;  // [mechanism]
+  std::vector<MechanismUse> used_;          // [mechanism] in computed looks
+  std::vector<std::uint64_t> beyond_;       // [mechanism] looks of the sweep that its budget does not reach
+  std::vector<std::uint64_t> without_;      // [mechanism] looks of the sweep without it for another reason
+  std::vector<double> most_reach_;          // [mechanism] of what is expected of it, in the looks beyond its budget
+  std::vector<double> sliver_areas_;        // of each computed look: the one count whose sum depends on its order
   std::map<std::size_t, std::vector<LostRay>> lost_rays_;  // of each computed look with any, the first ones
 };
 

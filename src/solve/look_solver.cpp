@@ -1,12 +1,12 @@
 #include "solve/look_solver.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <numeric>
 
 #include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
-#include "solve/mechanisms/edge_currents.h"
 #include "solve/scheduler.h"
 
 namespace raytube {
@@ -107,6 +107,7 @@ Contribution BandSolver::run(std::size_t i, const TracedLook& look, LookSink& si
   Contribution result;
   if (decision.any()) {
     result = mechanisms_[i]->solve(look, decision.wanted, sink);
+    assert(result.s.size() <= scene_.plan.mechanisms[i].columns.size());
     if (result.ran.empty()) result.ran = decision.wanted;
     if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), i);
   }

@@ -15,7 +15,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::size_t first_bounce = 0, later_bounces = 1, columns = 2;  // in the list of bounds
+constexpr std::size_t first_bounce = 0, later_bounces = 1, first_column = 2;  // in the list of bounds
 
 ScatteringMatrix scaled(ScatteringMatrix matrix, Complex factor) { return matrix *= factor; }
 
@@ -102,7 +102,7 @@ void Rows::add_row(std::size_t look, std::size_t frequency_index, const LookResu
     for (std::size_t c = 0; c < plan_.mechanisms[i].columns.size(); ++c, ++column)
       if (c < added.s.size() && !added.s[c].empty())
         add_to_row(row, referred(added.s[c][frequency_index]), plan_.keep_parts ? &result_.mechanisms[column].rows : nullptr,
-                   plan_.mechanisms[i].columns[c].bound(bound.limits), beyond_bound_[columns + column]);
+                   plan_.mechanisms[i].columns[c].bound(bound.limits), beyond_bound_[first_column + column]);
     if (!added.error.empty()) raytube::add(added.error[frequency_index], result_.error[row]);
   }
 }
@@ -141,7 +141,7 @@ std::vector<ModelPart> Rows::model_parts() {
   evidence.possible_pairs = static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size());
   evidence.interaction_left_out = of_interaction > 0.0 ? left_out / of_interaction : 0.0;
   evidence.looks_without_waves = account_.used()[plan_.index_of("surface_waves")].looks_without;
-  for (const Count& count : account_.counts()) {
+  for (const Count& count : account_.counts(plan_.index_of("interaction"))) {
     if (count.why == beyond_budget) evidence.pairs_left_out += count.count;
     if (count.what == "interaction_pairs") evidence.interaction_pairs = count.count;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <span>
 
 #include "plan/plan.h"
 #include "solve/account.h"

@@ -58,8 +58,8 @@ std::string case_text(const MeshOptions& asked, const fs::path& mesh, const fs::
       "{}\ntitle = {}\n\n[target]\nmesh = {}\nunit = {}\n\n[frequency]\nghz = {}\n\n[look]\nazimuth_deg = {}\nelevation_deg = "
       "{}\n",
       written_head, toml_text(mesh.stem().string()), toml_text(beside.string()), toml_text(asked.unit),
-      value_of("--ghz", asked.ghz, "count"), value_of("--azimuth", asked.azimuth, "step"),
-      value_of("--elevation", asked.elevation, "step"));
+      value_of("--ghz", asked.ghz, "count"), value_of("--azimuth", asked.azimuth.empty() ? "0" : asked.azimuth, "step"),
+      value_of("--elevation", asked.elevation.empty() ? "0" : asked.elevation, "step"));
 }
 
 void require_free(const fs::path& file) {
@@ -84,7 +84,11 @@ void write_case(const fs::path& file, const std::string& text) {
 }  // namespace
 
 void add_mesh_options(CLI::App& run, MeshOptions& mesh) {
-  add_value(run, "--unit UNIT", mesh.unit, "For a mesh: its unit of length (m, cm, mm, um, in, ft)");
+  add_value(run, "--unit UNIT", mesh.unit, "For a mesh: its unit of length (m, cm, mm, um, in, ft)", [](const std::string& unit) {
+    constexpr std::array<std::string_view, 6> units = {"m", "cm", "mm", "um", "in", "ft"};
+    const bool is_known = std::ranges::find(units, unit) != units.end();
+    return is_known ? std::string() : fmt::format("needs m, cm, mm, um, in or ft (found {})", quotable(unit));
+  });
   add_value(run, "--ghz F", mesh.ghz, "For a mesh: frequencies, one, a list, or START:STOP:COUNT");
   add_value(run, "--azimuth DEG", mesh.azimuth, "For a mesh: azimuths in degrees, one, a list, or START:STOP:STEP; default 0");
   add_value(run, "--elevation DEG", mesh.elevation, "For a mesh: elevations in degrees, likewise; default 0");
@@ -93,9 +97,13 @@ void add_mesh_options(CLI::App& run, MeshOptions& mesh) {
 void make_case_of_mesh(const MeshOptions& asked, RunOptions& run) {
   const fs::path mesh = run.input.file;
   constexpr std::array<std::string_view, 8> mesh_endings = {".stl", ".obj", ".ply", ".off", ".msh", ".gltf", ".glb", ".3mf"};
-  if (std::ranges::find(mesh_endings, lower_case(mesh.extension().string())) == mesh_endings.end()) {
+  const bool is_packed = lower_case(mesh.extension().string()) == ".gz";
+  const std::string ending = lower_case((is_packed ? mesh.stem() : mesh).extension().string());
+  if (std::ranges::find(mesh_endings, ending) == mesh_endings.end()) {
     for (const auto& [option, value, key] :
-         {std::tuple{"--unit", &asked.unit, "target.unit"}, std::tuple{"--ghz", &asked.ghz, "frequency.ghz"}})
+         {std::tuple{"--unit", &asked.unit, "target.unit"}, std::tuple{"--ghz", &asked.ghz, "frequency.ghz"},
+          std::tuple{"--azimuth", &asked.azimuth, "look.azimuth_deg"},
+          std::tuple{"--elevation", &asked.elevation, "look.elevation_deg"}})
       if (!value->empty())
         throw InputError(
             fmt::format("{}: goes with a mesh; a case has the key {}, and --set {}=VALUE changes it", option, key, key));

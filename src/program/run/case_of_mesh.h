@@ -9,7 +9,7 @@ namespace raytube {
 
 /// Numbers as "10", "9,10,11" or "0:360:1".
 struct MeshOptions {
-  std::string unit, ghz, azimuth = "0", elevation = "0";
+  std::string unit, ghz, azimuth, elevation;
 };
 
 void add_mesh_options(CLI::App& run, MeshOptions& mesh);

@@ -57,7 +57,7 @@ struct TubeSums {
   std::uint64_t tubes = 0, rays = 0, lost_rays = 0;  // see Statistics
   std::vector<LostRay> first_lost;                   // of these, in recentred coordinates, their look not yet told
   TruncatedSums truncated;                           // of this look
-  std::uint64_t empty_cells = 0, faces_away = 0;     // not traced: see SkipCounts
+  std::uint64_t empty_cells = 0, faces_away = 0;     // not traced: cells of the grid without target, faces turned away
   double sliver_area = 0.0;                          // [m^2] of the launch plane, left out by adaptive tubes
 
   /// The sums [frequency] of a bounce, counted from 0; they and their counter of hits are made when first asked for.

@@ -12,30 +12,30 @@ namespace {
 
 constexpr double outlines_per_wedges = 1.0;  // the outlines of the faces beside them take about as much as the wedges
 
-Contribution contribution_of(EdgeLookResult found) {
+// `on`: some edge of the target radiates, at some frequency.
+Contribution contribution_of(EdgeLookResult found, bool on) {
   Contribution result{.work = found.work};
-  const bool radiates = !found.scattering.empty();
   result.s = {std::move(found.scattering), std::move(found.higher)};
   const auto windowed = static_cast<std::uint64_t>(std::ranges::count(found.windowed, true));
   result.counts = {{.what = "wedges_lit", .count = found.wedges_lit, .fold = Fold::most},
                    {.what = "windowed_rows", .count = windowed},
-                   {"looks without edge currents", radiates ? "no edge is lit" : "no edge of the target can radiate",
+                   {"looks without edge currents", on ? "no edge is lit" : "no edge of the target can radiate",
                     found.lit ? 0u : 1u, Fold::least}};
   return result;
 }
 
 class EdgeCurrentsOfLook : public Mechanism {
  public:
-  explicit EdgeCurrentsOfLook(const BandScene& scene) : scene_(scene) {}
+  explicit EdgeCurrentsOfLook(const BandScene& scene) : scene_(scene), on_(scene.plan.state("edges").on) {}
 
   Prospect prospect(const TracedLook&) const override { return {}; }
 
   Contribution solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
-    if (!scene_.edges.radiate() && scene_.plan.tubes.skip) return contribution_of({});
+    if (!scene_.edges.radiate() && scene_.plan.tubes.skip) return contribution_of({}, on_);
     const Look& look = traced.look;
     const WavesAtEdges waves{sink.arrivals, sink.waves_run};
     if (sink.image) add_pieces(look, waves, *sink.image);
-    return contribution_of(scene_.edges.scattering(look, scene_.plan.sweep.radar, waves));
+    return contribution_of(scene_.edges.scattering(look, scene_.plan.sweep.radar, waves), on_);
   }
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
@@ -52,6 +52,7 @@ class EdgeCurrentsOfLook : public Mechanism {
   }
 
   const BandScene& scene_;
+  const bool on_;
 };
 
 }  // namespace

@@ -19,6 +19,8 @@ namespace raytube {
 
 namespace {
 
+constexpr const char* pairs_of_edge_and_face = "pairs of edge and face";
+
 // Of the waves of an antenna, k a^2 / R, below which they are taken as plane all over the target [rad]: as much of what edges
 // send on is lost at most (measured: docs/theory/finite_range.md).
 constexpr double least_bend = 1e-3;
@@ -33,7 +35,8 @@ void add_cut_up(const ImageEdge& piece, ImageRequest& image) {
   }
 }
 
-// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that (utd/wedge/work.h).
+// Counted work of tubes and edges in a look, of each patch and each edge, at one frequency: of vehicles about that
+// (utd/wedge/work.h).
 constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
 
 // S of a body that scatters all round what its surface intercepts on average over all directions, a quarter of its area if it is
@@ -86,7 +89,6 @@ class Interaction : public Mechanism {
   }
 
   Contribution contribution_of(InteractionResult found) const {
-    constexpr const char* pairs = "pairs of edge and face";
     const InteractionSkips& skipped = found.skipped;
     const bool is_dark = found.scattering.empty();
     return {
@@ -97,8 +99,8 @@ class Interaction : public Mechanism {
         .work = found.work,
         .counts = {{.what = "edge_illumination_pieces", .count = found.illuminating_pieces},
                    {.what = "interaction_pairs", .count = found.pairs},
-                   {pairs, "too weak to matter", skipped.weak_pairs},
-                   {pairs, beyond_budget, skipped.pairs},
+                   {pairs_of_edge_and_face, "too weak to matter", skipped.weak_pairs},
+                   {pairs_of_edge_and_face, beyond_budget, skipped.pairs},
                    {"pairs of edge and mirror", beyond_budget, skipped.reflected_pairs},
                    {"edges lit after a reflection, without fringe currents", beyond_budget, skipped.fringe_pieces},
                    {"looks without edge-face interaction", "no lit edge faces another surface", is_dark ? 1u : 0u, Fold::least}}};
@@ -149,7 +151,7 @@ void tell_interaction(const SolvePlan& plan, const Contribution& interaction, st
   if (!interaction.missing.empty()) row.left_out = interaction.missing[frequency];
   const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
   const bool some_left_out = interaction.out_of_reach() || std::ranges::any_of(interaction.counts, [](const Count& each) {
-                               return each.why == beyond_budget && each.count > 0;
+                               return each.what == pairs_of_edge_and_face && each.why == beyond_budget && each.count > 0;
                              });
   const bool any = !interaction.s.empty() && !interaction.s.front().empty();
   const bool none_afforded = some_left_out && frobenius_norm(row.interaction) == 0.0;

@@ -18,7 +18,7 @@
 //
 //   incidence             which faces a wave lights, at what angles
 //   edge_currents         first-order currents: the kernels of semi-infinite faces, their moment and S
-//   scaled_erfc, transition   W and F, exact or as tabulated
+//   transition   F; W is in math/erfc_ray.h
 //   edge_wave, edge_wave_integral   the uniform wave that leaves an edge, and integrals of it over rows of rays
 //   wedge_coefficients, ray_source, diffracted_field   rays: coefficients, sources, the field at any distance
 //

@@ -112,7 +112,6 @@ TEST(MechanismList, ANewOneHasASwitchACostAndABound) {
 TEST(MechanismList, ANewOneHasPiecesInAnImageAndIsKept) {
   const Shining shining;
   const SolvePlan plan = shining.plan();
-  ScatteringMatrix shine;
   const LookSolver solver(plan);
   Progress none({});
   const LookResult look = solver.solve(0, none, 1.0);
