@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sbr/beams/current_map.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/flat/cell_tubes.h"
 #include "sbr/flat/polygon_currents.h"
