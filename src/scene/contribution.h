@@ -1,9 +1,11 @@
 // What one mechanism gives one look: the same for all of them, so that looks are kept, sent and written by one loop.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/field.h"
@@ -30,6 +32,22 @@ struct Count {
   static void members(auto& c, auto&& take) { take(c.what), take(c.why), take(c.count), take(c.fold); }
 };
 
+/// Adds a count to those of the same thing, as its `fold` says.
+inline void put(Count part, std::vector<Count>& all) {
+  const auto found = std::ranges::find_if(all, [&](const Count& each) { return each.like(part); });
+  if (found == all.end()) return all.push_back(std::move(part));
+  std::uint64_t& count = found->count;
+  count = part.fold == Fold::sum    ? count + part.count
+          : part.fold == Fold::most ? std::max(count, part.count)
+                                    : std::min(count, part.count);
+}
+
+/// A count by its name; 0 if there is none.
+inline std::uint64_t count_named(const std::vector<Count>& counts, std::string_view what) {
+  const auto found = std::ranges::find(counts, what, &Count::what);
+  return found == counts.end() ? 0 : found->count;
+}
+
 /// One mechanism in one look, at all frequencies of a band or of a sweep. Phase reference as for the tubes.
 struct Contribution {
   std::vector<std::vector<ScatteringMatrix>> s{};  // [column of the mechanism][frequency] [m]; empty columns add nothing
@@ -52,12 +70,6 @@ struct Contribution {
   /// All members, as bytes are made of them (core/bytes.h).
   static void members(auto& c, auto&& take) {
     take(c.s), take(c.error), take(c.missing), take(c.ran), take(c.most_db), take(c.work), take(c.reach), take(c.counts);
-  }
-  /// A count by its name; 0 if there is none.
-  std::uint64_t counted(std::string_view what) const {
-    for (const Count& each : counts)
-      if (each.what == what) return each.count;
-    return 0;
   }
 };
 

@@ -120,10 +120,7 @@ struct Statistics {
   double solve_s = 0.0;                   // mesh and BVH ready -> last sum
 
   /// A count of a mechanism by its name in run.json; 0 if there is none.
-  std::uint64_t counted(std::string_view what) const {
-    const auto found = std::ranges::find(counts, what, &Count::what);
-    return found == counts.end() ? 0 : found->count;
-  }
+  std::uint64_t counted(std::string_view what) const { return count_named(counts, what); }
 };
 
 /// One of the things that the asymptotic physics leaves out, over the rows of a sweep. An estimate, as of SweepResult::model.

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/field.h"
-#include "scene/mechanisms.h"
+#include "scene/bounce_names.h"
 
 namespace raytube {
 

@@ -31,7 +31,7 @@ void Account::add(std::size_t index, const LookResult& look, std::size_t followi
   for (std::size_t i = 0; i < look.mechanisms.size(); ++i) {
     const Contribution& part = look.mechanisms[i];
     for (const Count& count : part.counts)
-      if (!part.out_of_reach() || count.fold != Fold::least) add_count(count, following, counts_[i]);
+      if (!part.out_of_reach() || count.fold != Fold::least) put({count.what, count.why, count.count * following}, counts_[i]);
     if (!plan_.states[i].on) continue;
     ++(part.ran.empty() || part.out_of_reach() ? used_[i].looks_without : used_[i].looks);
     used_[i].most_db = std::max(used_[i].most_db, part.most_db);
@@ -56,12 +56,6 @@ void Account::add_tubes(std::size_t index, const TubeSums& tubes) {
   for (std::size_t b = 0; b < tubes.hits.size(); ++b) all_.hits[b] += tubes.hits[b];
   tube_counts_[0].count += tubes.empty_cells;
   tube_counts_[1].count += tubes.faces_away;
-}
-
-void Account::add_count(const Count& count, std::size_t looks, std::vector<Count>& counts) {
-  auto known = std::ranges::find_if(counts, [&](const Count& each) { return each.like(count); });
-  if (known == counts.end()) known = counts.insert(counts.end(), {count.what, count.why});
-  known->count += count.count * looks;
 }
 
 Statistics Account::finish() {

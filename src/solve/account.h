@@ -28,7 +28,6 @@ class Account {
 
  private:
   void add_tubes(std::size_t index, const TubeSums& tubes);
-  static void add_count(const Count& count, std::size_t looks, std::vector<Count>& counts);
   void tell_tubes();
   void tell_counts(const std::vector<Count>& counts);
   void tell_mechanism(std::size_t mechanism);

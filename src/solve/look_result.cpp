@@ -61,15 +61,6 @@ void put_tubes(const BandScatter& scatter, TubeSums part, std::size_t frequencie
   all.add(part);
 }
 
-void put_count(Count part, std::vector<Count>& all) {
-  const auto found = std::ranges::find_if(all, [&](const Count& each) { return each.like(part); });
-  if (found == all.end()) return all.push_back(std::move(part));
-  std::uint64_t& count = found->count;
-  count = part.fold == Fold::sum    ? count + part.count
-          : part.fold == Fold::most ? std::max(count, part.count)
-                                    : std::min(count, part.count);
-}
-
 void put_contribution(const BandScatter& scatter, Contribution part, Contribution& all) {
   if (all.s.size() < part.s.size()) all.s.resize(part.s.size());
   for (std::size_t column = 0; column < part.s.size(); ++column) scatter(std::move(part.s[column]), all.s[column]);
@@ -79,7 +70,7 @@ void put_contribution(const BandScatter& scatter, Contribution part, Contributio
   all.most_db = std::max(all.most_db, part.most_db);
   all.work += part.work;
   all.reach = std::min(all.reach, part.reach);
-  for (Count& count : part.counts) put_count(std::move(count), all.counts);
+  for (Count& count : part.counts) put(std::move(count), all.counts);
 }
 
 }  // namespace

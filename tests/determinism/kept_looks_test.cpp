@@ -204,7 +204,7 @@ TEST(LookBytes, HoldEveryBit) {
   EXPECT_EQ(again->tubes.truncated[Truncation::width].sigma, 1e-300);
   ASSERT_EQ(again->mechanisms.size(), 2u);
   EXPECT_EQ(again->mechanisms[1].ran, look.mechanisms[1].ran);
-  EXPECT_EQ(again->mechanisms[1].counted("looks without edge currents"), 1u);
+  EXPECT_EQ(count_named(again->mechanisms[1].counts, "looks without edge currents"), 1u);
   EXPECT_EQ(again->mechanisms[1].counts[0].fold, Fold::least);
   EXPECT_TRUE(again->mechanisms[0].s.empty());
 }

@@ -9,7 +9,7 @@
 
 #include "core/decimal.h"
 #include "output/files/files.h"
-#include "scene/mechanisms.h"
+#include "scene/bounce_names.h"
 
 namespace raytube {
 

@@ -60,7 +60,7 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
 /// power.csv: what the receiver gets in each channel [dBm]. Of antennas at a finite distance.
 void write_power_csv(const std::filesystem::path& file, const Sweep& sweep, const LinkBudget& link, const SweepResult& result);
 
-/// parts.csv: complex S by mechanism, side by side (scene/mechanisms.h); they add up to rcs.csv. Bounce 1 has its columns even
+/// parts.csv: complex S by mechanism, side by side (plan/mechanism.h); they add up to rcs.csv. Bounce 1 has its columns even
 /// where nothing was hit. Then the parts of the model uncertainty [m]. Needs a result with parts.
 void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result);
 

@@ -10,7 +10,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "output/tables/csv.h"
-#include "scene/mechanisms.h"
+#include "scene/bounce_names.h"
 
 namespace raytube {
 

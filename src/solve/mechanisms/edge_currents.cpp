@@ -34,7 +34,7 @@ class EdgeCurrentsOfLook : public Mechanism {
     if (!scene_.edges.radiate() && scene_.plan.tubes.skip) return contribution_of({}, on_);
     const Look& look = traced.look;
     const WavesAtEdges waves{sink.arrivals, sink.waves_run};
-    if (sink.image) add_pieces(look, waves, *sink.image);
+    if (sink.image) return add_pieces(look, waves, *sink.image), Contribution();  // nobody asks for their sum
     return contribution_of(scene_.edges.scattering(look, scene_.plan.sweep.radar, waves), on_);
   }
 

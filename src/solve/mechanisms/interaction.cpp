@@ -73,10 +73,10 @@ class Interaction : public Mechanism {
   Contribution solve(const Look& look, const NearAntennas* antennas, LookSink& sink) const {
     InteractionLimits limits = limits_;
     limits.antennas = antennas;
-    InteractionResult found = scene_.edges.interaction(look, limits);
     const bool refer = !look.far() && antennas == nullptr;
+    if (sink.image) return add_pieces(look, limits, refer, *sink.image), Contribution();  // nobody asks for their sum
+    InteractionResult found = scene_.edges.interaction(look, limits);
     if (refer) refer_to_antennas(look, found);
-    if (sink.image) add_pieces(look, limits, refer, *sink.image);
     return contribution_of(std::move(found));
   }
 

@@ -1,4 +1,4 @@
-#include "scene/mechanisms.h"
+#include "scene/bounce_names.h"
 #include "solve/mechanisms/edge_currents.h"
 #include "solve/mechanisms/interaction.h"
 #include "solve/mechanisms/states.h"

@@ -56,8 +56,8 @@ class Mechanism {
   /// Cheap beside the tubes.
   virtual Prospect prospect(const TracedLook& look) const = 0;
 
-  /// What it adds at the frequencies that are `wanted`; it may clear further flags of `ran`, which are these. Also adds the
-  /// pieces of an image, if one is asked for.
+  /// What it adds at the frequencies that are `wanted`; it may clear further flags of `ran`, which are these. Where an
+  /// image is asked for it adds its pieces there, and S need not be told.
   virtual Contribution solve(const TracedLook& look, const std::vector<bool>& wanted, LookSink& sink) const = 0;
 
   /// Appends its rays over curved surfaces, for pictures; `arrivals` as of LookSink.

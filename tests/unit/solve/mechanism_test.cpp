@@ -117,7 +117,7 @@ TEST(MechanismList, ANewOneHasPiecesInAnImageAndIsKept) {
   const LookResult look = solver.solve(0, none, 1.0);
   const auto again = look_of_bytes(look_bytes(look), 1);
   ASSERT_TRUE(again);
-  EXPECT_EQ(again->mechanisms.back().counted("shining_edges"), 12u);
+  EXPECT_EQ(count_named(again->mechanisms.back().counts, "shining_edges"), 12u);
   const LookImage with = image_of_look(plan, 0, 4.0),
                   without = image_of_look(shining.target, shining.sweep, shining.options, 0, 4.0);
   ScatteringMatrix more;
