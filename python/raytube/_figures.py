@@ -136,9 +136,7 @@ def _curves(results: list[Rows], peak: int, channels: list[int], title: str, opt
     for i, (fixed, cuts) in enumerate(panels):
         ax = figure.add_subplot(lines, columns, i + 1)
         _draw_cuts(ax, results, cuts, key, channels, scale, options.style)
-        first, last = min(cut.x[0] for cut in cuts), max(cut.x[-1] for cut in cuts)
-        if last > first:
-            ax.set_xlim(first, last)
+        ax.set_xlim(_plots.ends_of(cuts, all(rows.joined for rows in results)))
         _plots.angle_ticks(ax.xaxis, key)
         if i == columns - 1 or len(panels) == 1:
             _plots.add_key(ax)

@@ -116,6 +116,13 @@ def angle_ticks(axis: Any, key: int, most: int = 9) -> None:
         axis.set_major_locator(MultipleLocator(next((step for step in _ANGLE_STEPS if extent / step <= most), 90.0)))
 
 
+def ends_of(cuts: list[Cut], joined: bool) -> tuple[float, float]:
+    """The ends of an axis along cuts; beside points that are not joined with room for whole markers."""
+    first, last = min(cut.x[0] for cut in cuts), max(cut.x[-1] for cut in cuts)
+    room = 1.0 if first == last else 0.0 if joined else 0.02 * (last - first)
+    return first - room, last + room
+
+
 def draw_cut(ax: Any, rows: Rows, cut: Cut, key: int, channels: list[int], scale: Scale, style: Style, place: tuple[int, int] = (0, 1),
              name: str = "") -> None:
     """Curves of one result, the model uncertainty as bands; `place`: which of how many results it is."""
@@ -136,8 +143,7 @@ def draw_cut(ax: Any, rows: Rows, cut: Cut, key: int, channels: list[int], scale
             else:
                 ax.vlines(x, low, high, colors=look["color"], alpha=0.3)
     if not angle:
-        ends = (cut.x[0], cut.x[-1]) if len(cut.x) > 1 else (cut.x[0] - 1.0, cut.x[0] + 1.0)
-        ax.set(xlabel=LABELS[key], ylabel=scale.label, xlim=ends, ylim=(scale.bottom, scale.top))
+        ax.set(xlabel=LABELS[key], ylabel=scale.label, xlim=ends_of([cut], rows.joined), ylim=(scale.bottom, scale.top))
         ax.grid(alpha=0.3)
         angle_ticks(ax.xaxis, key)
 
