@@ -212,7 +212,7 @@ std::vector<std::string> warnings_json(const Case& c, const MeshReport& counts, 
   return sentences;
 }
 
-// Of the first look; none for rays and for clipped tubes, whose number depends on the surfaces alone.
+// Of the first look; none for rays and for adaptive tubes, whose number depends on the surfaces alone.
 Json launch_grid_json(const SolvePlan& plan) {
   if (plan.rays() || plan.tubes.refines()) return nullptr;
   const LaunchGrid grid =

@@ -91,9 +91,7 @@ std::string tube_lines(const Json& c, double highest_ghz) {
   const Json &tubes = c["tubes"], &bounces = tubes["max_bounces"];
   if (text_at(c["edges"], "method") == "utd")
     return line("tubes", fmt::format("none: rays instead (edges.method \"utd\"), at most {} reflections", bounces.get<int>()));
-  const char* const mode = text_at(tubes, "mode") == "uniform" ? "uniform"
-                           : tubes["clip"] == true             ? "adaptive, cut exactly at edges"
-                                                               : "adaptive, cut at the cells of the grid";
+  const char* const mode = text_at(tubes, "mode") == "uniform" ? "uniform" : "adaptive, cut exactly at edges";
   std::string text =
       line("tubes", fmt::format("{}, {} per wavelength at {} GHz, at most {} bounces", mode,
                                 tubes["per_wavelength"].get<double>(), number_text(highest_ghz), bounces.get<int>()));
@@ -215,7 +213,7 @@ std::string cost_text(const Json& data) {
   }
   const Json& grid = data["launch_grid"];
   if (grid.is_null())
-    return fmt::format("\ncost\n  looks computed: {}\n  adaptive tubes, clipped: {}; the fewer, the quicker, at any frequency\n",
+    return fmt::format("\ncost\n  looks computed: {}\n  adaptive tubes: {}; the fewer, the quicker, at any frequency\n",
                        looks, count_text(patches, "planar patch", "planar patches"));
   return fmt::format("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm{}\n  looks computed: {}\n",
                      grid["columns"].get<std::size_t>(), grid["rows"].get<std::size_t>(), grid["du_m"].get<double>() * 1e3,

@@ -45,7 +45,7 @@ void refuse_study_of_rays(const Case& c) {
 
 SolveOptions options_of_study(const Case& c, int threads) {
   TubeOptions tubes = c.tubes;
-  if (tubes.clip) tubes.mode = TubeMode::uniform;
+  tubes.mode = TubeMode::uniform;
   return {tubes, c.edges, c.surfaces, threads > 0 ? threads : all_threads(), false, {}};
 }
 

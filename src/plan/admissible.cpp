@@ -49,11 +49,9 @@ void check_pattern(const TriangleMesh& mesh, const Antenna& antenna, const Anten
   }
 }
 
-void check_near(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptions& edges) {
+void check_near(const Sweep& sweep, const EdgeOptions& edges) {
   if (std::ranges::any_of(sweep.looks, &Look::far))
     throw InputError("either every look has antennas at a finite distance, or none");
-  if (tubes.mode == TubeMode::adaptive && !tubes.clip)
-    throw InputError("antennas at a finite distance need tubes that are clipped or uniform");
   if (edges.utd_range > 0.0)
     throw InputError("antennas at a finite distance have a range of their own; remove edges.utd_range_m or [radar]");
 }
@@ -84,7 +82,7 @@ void check_options(const Sweep& sweep, const TubeOptions& tubes, const EdgeOptio
   visit_tube_keys(tubes, check);
   const WedgeOptions wedges;  // checked with the target
   visit_edge_keys(edges, wedges, true, check);
-  if (!all_far(sweep)) check_near(sweep, tubes, edges);
+  if (!all_far(sweep)) check_near(sweep, edges);
   if (any_solid(sweep.materials)) check_with_solids(sweep, edges);
 }
 

@@ -60,12 +60,11 @@ Tiles polygon_tiles(const TubeLook& look) {
                         [&look](std::uint32_t begin, std::uint32_t end) { return trace_faces(look, begin, end); });
 }
 
-// Cells of single rays where faces are dearer than cells that do as well. Uncut tubes are no better than the grid's own cells.
+// Cells of single rays where faces are dearer than cells that do as well.
 bool cells_are_cheaper(const TubeLook& look) {
   const auto is_flat = [&](const Face& face) { return !look.smooth || look.smooth->region(face.triangle) == no_index; };
   const auto flat = static_cast<double>(std::ranges::count_if(look.faces.faces(), is_flat));
   if (flat <= faces_per_tile) return false;
-  if (!look.clip) return 0.5 * flat > static_cast<double>(look.grid.cells());
   const double wavelength = 2.0 * pi / sampling_wavenumber(look.wavenumbers()),
                good_cell = wavelength / cells_per_wavelength * look.tolerance / error_of_cells;
   return cells_per_face * flat > static_cast<double>(look.grid.cells()) * look.grid.du * look.grid.dv / (good_cell * good_cell);
@@ -131,7 +130,6 @@ std::size_t tiles_per_batch(int bounces, std::size_t frequencies) {
 
 Division divide(PartKind kind, const TubeLook& look) {
   if (kind != PartKind::flat || cells_are_cheaper(look)) return {};
-  if (!look.clip) return {.polygons = true};
   return {true, std::clamp<std::size_t>(polygon_tiles(look).count, 1, most_blocks)};
 }
 

@@ -283,7 +283,6 @@ class LookTracer {
             .tolerance = tolerance_,
             .phase_tolerance = phase_tolerance(tolerance_),
             .max_bounces = options_.max_bounces,
-            .clip = options_.clip,
             .skip = options_.skip};
   }
 

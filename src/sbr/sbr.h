@@ -10,7 +10,7 @@
 //   launch    the launch plane: grid, cells, polygons
 //   beams     waves between surfaces, their currents and far fields, sums, tolerances; TubeLook, what all tubes of a look share
 //   visible   beam visibility, and line-of-sight transmission to the receiver
-//   flat      tubes on flat faces: polygons (polygon_tubes) and single cells (cell_tubes, tile_tracer)
+//   flat      tubes on flat faces: polygons (polygon_tubes) and single cells (tile_tracer)
 //   curved    tubes on curved surfaces, and what these reflect
 //   solid     tubes that refract into bodies, go on inside and leave
 // Here: look_parts traces one of the parts of a look, sbr refines them together; replay follows one tube; random_tubes is a Monte
@@ -68,7 +68,7 @@ struct TubeWork {
 TubeSums sbr_scattering(const TubeScene& scene, const Look& look, std::span<const double> frequencies, const TubeOptions& options,
                         const TubeWork& work);
 
-/// Cells per wavelength of the first grid of a look; clipped adaptive tubes become finer where they have to, and polygons begin
+/// Cells per wavelength of the first grid of a look; adaptive tubes become finer where they have to, and polygons begin
 /// with what suits the tolerance.
 double first_density(const TubeOptions& options);
 

@@ -31,14 +31,13 @@ struct TubeOptions {
   double max_per_wavelength = 40.0;    // cap of the density where it is refined (refines())
   double tolerance_db = 0.1;           // refined until the estimated error of every channel is below this: scene/tolerance.h
   double model_share = 0.25;           // or below this share of the model uncertainty: digits that the physics lacks are dear
-  bool clip = true;  // adaptive: tubes end exactly at edges; false: at the cells of the grid, as uniform ones do
-  CurvedSurfaces curved = CurvedSurfaces::convex;  // adaptive with clip
+  CurvedSurfaces curved = CurvedSurfaces::convex;  // of adaptive tubes
   int max_bounces = 8;                             // surfaces that a tube meets at most
   bool skip = true;                                // false: also what adds nothing, or is known from another look, is computed
   std::optional<dvec3> up;                         // rows of the launch grid follow this vector's projection; default -theta_hat
 
-  /// Grids are refined to a tolerance only where tubes are cut exactly at edges.
-  bool refines() const { return mode == TubeMode::adaptive && clip; }
+  /// Whether grids are refined to a tolerance: those of tubes that are cut exactly at edges.
+  bool refines() const { return mode == TubeMode::adaptive; }
 };
 
 /// What edges add.

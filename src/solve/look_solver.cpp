@@ -49,10 +49,14 @@ LookResult BandSolver::solve(const Look& look, Progress& progress, double share,
 void BandSolver::solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                              LookImage& image) const {
   const std::vector<double>& frequencies = scene_.band.frequencies;
-  CurrentMap map(scene_.plan.target.faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]));
+  const FaceTree& faces = scene_.plan.target.faces;
+  image.cells.resize(lattice.cells()), image.triangles.resize(faces.mesh().triangles.size());
+  const CurrentSink take = [&](const CurrentPiece& of) {
+    image.cells[lattice.index(lattice.at(of.at))] += of.s;
+    image.triangles[of.triangle] += of.s;
+  };
+  CurrentMap map(faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]), take);
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
-  image.cells = map.take_cells();
-  image.triangles = map.take_triangles();
   image.edges = edge_pieces(look, tubes, {frequency_index, lattice}).pieces;
 }
 
@@ -61,7 +65,7 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
   const CurrentSink take = [&](const CurrentPiece& of) {
     sink({of.place, of.s, std::min<std::size_t>(of.bounce, tube_pieces.size() - 1), of.triangle});
   };
-  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, mirror);
+  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, true, mirror);
   const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
   const ImageRequest request = edge_pieces(look, tubes, {0, edges, !mirror});
   for (std::size_t i = 0; i < request.pieces.size(); ++i) {

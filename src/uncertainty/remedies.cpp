@@ -87,7 +87,6 @@ std::string remedy_of_order(Omission omission, const RemedyEvidence& evidence) {
 // What makes tubes and waves meet curved surfaces in the place of their facets; empty: they do, where they may.
 std::string remedy_of_flat_facets(const TubeOptions& tubes) {
   if (tubes.mode == TubeMode::uniform) return "tubes.mode = \"adaptive\", often less time";
-  if (!tubes.clip) return "tubes.clip = true, about the same time";
   if (tubes.curved == CurvedSurfaces::never) return "tubes.curved = \"convex\", about the same time";
   return "";
 }

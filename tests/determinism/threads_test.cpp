@@ -23,13 +23,12 @@ bool same_bytes(const std::vector<ScatteringMatrix>& a, const std::vector<Scatte
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
-void expect_same_bits_for_any_threads(TubeMode mode, bool clip) {
+void expect_same_bits_for_any_threads(TubeMode mode) {
   Sweep sweep{{9e9, 10e9}, {}, true};
   for (int i = 0; i < 9; ++i) sweep.looks.push_back({{0.3 + 0.2 * i, 0.7 * i}, {0.5 + 0.2 * i, 0.7 * i}});
   for (const PolygonSoup& soup : {shapes::icosphere(3, 0.2), shapes::trihedral(0.5), shapes::cube(0.3)}) {
     SolveOptions o = options(EdgeMethod::fringe);
     o.tubes.mode = mode;
-    o.tubes.clip = clip;
     o.threads = 1;
     const SweepResult one = solve_soup(soup, sweep, o);
     for (const int threads : thread_counts) {
@@ -41,9 +40,8 @@ void expect_same_bits_for_any_threads(TubeMode mode, bool clip) {
   }
 }
 
-TEST(Threads, UniformTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::uniform, true); }
-TEST(Threads, AdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, true); }
-TEST(Threads, UnclippedAdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive, false); }
+TEST(Threads, UniformTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::uniform); }
+TEST(Threads, AdaptiveTubesGiveTheSameBits) { expect_same_bits_for_any_threads(TubeMode::adaptive); }
 
 TEST(Threads, ImagesHaveTheSameBits) {
   const Sweep sweep{{9e9}, {{{1.0, 0.6}, {1.0, 0.6}}}, false};

@@ -71,7 +71,6 @@ SolveOptions options(Choices& choices) {
   o.keep_parts = choices.flag();
   const unsigned tubes = choices.below(4);
   o.tubes.mode = tubes == 0 ? TubeMode::uniform : TubeMode::adaptive;
-  o.tubes.clip = tubes != 1;
   o.tubes.per_wavelength = o.tubes.max_per_wavelength = 0.5 + choices.below(8);
   o.tubes.curved = static_cast<CurvedSurfaces>(choices.below(3));
   o.tubes.max_bounces = static_cast<int>(1 + choices.below(6));

@@ -140,8 +140,6 @@ void read_radar(const CaseValue& root, Case& c) {
     c.radar.pattern_csv = read_file_name(*pattern, "radar.pattern_csv", "antenna pattern");
     read_pattern_csv(c.file.parent_path() / c.radar.pattern_csv, c.sweep.radar.pattern);
   }
-  if (c.tubes.mode == TubeMode::adaptive && !c.tubes.clip)
-    reject(*section, {find(root, "tubes.clip")}, "[radar] needs exact polygons or a uniform grid; remove tubes.clip = false");
   if (c.edges.utd_range > 0.0)
     reject(*section, {find(root, "edges.utd_range_m")},
            "[radar] has the places of the antennas, edges.utd_range_m a range for them; remove one of the two");

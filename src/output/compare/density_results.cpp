@@ -28,10 +28,10 @@ Json case_of(const ResultFile& file) {
 double density_of(const ResultFile& file) {
   const Json resolved = case_of(file);
   const Json& tubes = resolved["tubes"];
-  const Json *clip = find(tubes, "clip"), *density = find(tubes, "per_wavelength");
+  const Json* density = find(tubes, "per_wavelength");
   if (!density || !density->is_number())
     refuse_file(file, "its case has no tubes.per_wavelength; use a file that raytube run has written");
-  if (text_at(tubes, "mode") != "uniform" && !(clip && *clip == false))
+  if (text_at(tubes, "mode") != "uniform")
     refuse_file(file, "its tubes are adaptive, without a density to study; run the case with --set tubes.mode=uniform");
   return density->get<double>();
 }

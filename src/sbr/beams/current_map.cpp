@@ -11,16 +11,6 @@ namespace raytube {
 
 namespace {
 
-double turn(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
-
-// How far inside a triangle a point is, by its barycentric coordinates; negative outside.
-double depth_inside(const std::array<dvec2, 3>& corners, const dvec2& at) {
-  const double area = turn(corners[1] - corners[0], corners[2] - corners[0]);
-  double least = 1.0;
-  for (int c = 0; c < 3; ++c) least = std::min(least, turn(corners[(c + 1) % 3] - corners[c], at - corners[c]) / area);
-  return least;
-}
-
 TubeMiddle middle_of(const Footprint& footprint, const dvec2& at) {
   const Beam& beam = footprint.outgoing;
   const dvec2 step = at - beam.anchor;
@@ -34,64 +24,53 @@ ImageLattice image_lattice(const LaunchGrid& grid) {
   return {grid.u_hat, grid.v_hat, {grid.u_begin, grid.v_begin}, {grid.du, grid.dv}, grid.columns, grid.rows, grid.curvature};
 }
 
-void CurrentInParts::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
-  map_.add(at, triangle, s);
+void CurrentMap::Parts::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+  map_.add(bounce_, at, triangle, s);
   rest_ = rest_ - s;
   if (const double size = largest_amplitude(s); size > most_) most_ = size, strongest_ = at, triangle_ = triangle;
 }
 
 CurrentMap::CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
-                       CurrentSink sink, const std::optional<double>& mirror)
+                       CurrentSink sink, bool shallow, const std::optional<double>& mirror)
     : faces_(faces),
       lattice_(lattice),
       frequency_index_(frequency_index),
       wavenumber_(wavenumber),
       sink_(std::move(sink)),
-      mirror_(mirror),
-      cells_(sink_ ? 0 : lattice.cells()),
-      triangles_(sink_ ? 0 : faces.mesh().triangles.size()) {}
+      shallow_(shallow),
+      mirror_(mirror) {}
 
-void CurrentMap::keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
-  cells_[lattice_.index(lattice_.at(at))] += s;
-  triangles_[triangle] += s;
+void CurrentMap::add(int bounce, const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
+  sink_({at, place_on(triangle, at), s, bounce, triangle});
 }
 
-void CurrentMap::add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s) {
-  sink_ ? sink_({place_on(triangle, at), s, bounce_, triangle}) : keep(at, triangle, s);
+void CurrentMap::add(int bounce, const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s) {
+  sink_({middle.at, place_of(middle), s, bounce, triangle});
 }
 
-void CurrentMap::add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s) {
-  sink_ ? sink_({place_of(middle), s, bounce_, triangle}) : keep(middle.at, triangle, s);
-}
-
-void CurrentMap::add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle) {
+void CurrentMap::add(int bounce, const Footprint& footprint, const Bounds& tube, std::uint32_t triangle) {
   cut_up(tube, [&](const Bounds& part) {
     const dvec2 at = middle(part), size = part.high - part.low;
     ScatteringMatrix s;
     add_far_field(s, footprint, frequency_index_, wavenumber_, phase_integral(footprint, wavenumber_, at, size.x, size.y));
-    add(middle_of(footprint, at), triangle, s);
+    add(bounce, middle_of(footprint, at), triangle, s);
   });
 }
 
-void CurrentMap::add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face) {
+void CurrentMap::add(int bounce, const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face) {
   const std::span<const std::uint32_t> triangles = faces_.triangles(face);
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
     if (triangles.size() > 1 && !clip_to(corners(footprint.outgoing, triangle), outline)) continue;
-    if (!sink_)
-      add_far_field(triangles_[triangle], footprint, frequency_index_, wavenumber_,
-                    phase_integral(footprint, wavenumber_, clipped_));
     cut_up(clipped_, [&](const ConvexPolygon& part) {
-      if (sink_) return tell(footprint, part, triangle);
-      add_far_field(cells_[lattice_.index(lattice_.at(middle(part)))], footprint, frequency_index_, wavenumber_,
-                    phase_integral(footprint, wavenumber_, part));
+      shallow_ ? tell(bounce, footprint, part, triangle) : tell_slice(bounce, footprint, part, triangle);
     });
   }
 }
 
 // A surface that the look does not see square on reflects to elsewhere: its pieces cancel but for its sides, and do so at other
 // frequencies and angles as well only if the phase hardly turns across each. They are slices across its gradient.
-void CurrentMap::tell(const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle) {
+void CurrentMap::tell(int bounce, const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle) {
   constexpr double most_slices = 1024.0, slices_to_a_turn = 8.0;
   const Affine path{0.0, footprint.phase_u, footprint.phase_v};
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -101,15 +80,15 @@ void CurrentMap::tell(const Footprint& footprint, const ConvexPolygon& part, std
   for (double i = 1.0; i < slices && !left.empty(); ++i) {
     cut(left, {-(least + (most - least) * i / slices), path.u, path.v}, 0.0, beyond, slice);
     std::swap(left, beyond);
-    if (!slice.empty()) tell_slice(footprint, slice, triangle);
+    if (!slice.empty()) tell_slice(bounce, footprint, slice, triangle);
   }
-  if (!left.empty()) tell_slice(footprint, left, triangle);
+  if (!left.empty()) tell_slice(bounce, footprint, left, triangle);
 }
 
-void CurrentMap::tell_slice(const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle) {
+void CurrentMap::tell_slice(int bounce, const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle) {
   ScatteringMatrix s;
   add_far_field(s, footprint, frequency_index_, wavenumber_, phase_integral(footprint, wavenumber_, slice));
-  sink_({place_of(middle_of(footprint, middle(slice))), s, bounce_, triangle});
+  add(bounce, middle_of(footprint, middle(slice)), triangle, s);
 }
 
 // The mirror makes r of r - 2 (r_z - z) z_hat, and the path longer by 2 z cos(theta).
@@ -132,11 +111,6 @@ dvec3 CurrentMap::place_on(std::uint32_t triangle, const dvec2& at) const {
   dvec3 place = facing == 0.0 ? across : across + glm::dot(normal, mesh.vertices[a] - across) / facing * towards;
   if (mirror_) place.z = *mirror_;
   return place;
-}
-
-std::uint32_t CurrentMap::triangle_under(const Beam& beam, std::uint32_t face, const dvec2& at) const {
-  return *std::ranges::max_element(faces_.triangles(face), {},
-                                   [&](std::uint32_t triangle) { return depth_inside(corners(beam, triangle), at); });
 }
 
 // In launch coordinates.

@@ -15,8 +15,9 @@
 
 namespace raytube {
 
-/// What a current radiates that is as small as a cell of a map, and not much deeper: of a plane wave, back to where it came from.
+/// What a current radiates that is no wider than a cell of a map: of a plane wave, back to where it came from.
 struct CurrentPiece {
+  dvec2 at;  // launch coordinates that its tube set out at, in one cell [m]
   // From where a wave that is reflected once would come back with this phase, and with these changes of it as the direction
   // turns: half of the path, and the middle between where its tube set out and where the current is [m].
   dvec3 place;
@@ -33,49 +34,42 @@ struct TubeMiddle {
   double path;  // exponent / k of what the current there radiates [m]
 };
 
-/// Takes the far field of every current at one frequency. Whatever is wider than a cell of the lattice is cut along its lines in
-/// the launch plane, where the phase is still linear: the parts add up to the whole to rounding. One thread at a time.
+/// Tells a sink the far field of every current at one frequency. Whatever is wider than a cell of the lattice is cut along its
+/// lines in the launch plane, where the phase is still linear: the parts add up to the whole to rounding. One thread at a time.
 class CurrentMap {
  public:
   /// The lattice's coordinates are those of a LaunchGrid; `wavenumber` [rad/m] is that of `frequency_index` in the look.
-  /// `sink`, if there is one, takes each piece of a current instead of cells and triangles. `mirror`: z of a plane in which the
-  /// receiver is the mirror image of the transmitter; the places of pieces are then as that sees them by way of the mirror.
-  CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber,
-             CurrentSink sink = {}, const std::optional<double>& mirror = {});
+  /// `shallow`: pieces are no deeper than a fraction of the wavelength either. `mirror`: z of a plane in which the receiver is
+  /// the mirror image of the transmitter; the places of pieces are then as that sees them by way of the mirror.
+  CurrentMap(const FaceTree& faces, const ImageLattice& lattice, std::size_t frequency_index, double wavenumber, CurrentSink sink,
+             bool shallow = false, const std::optional<double>& mirror = {});
 
   std::size_t frequency_index() const { return frequency_index_; }
   const double& wavenumber() const { return wavenumber_; }
-  const ImageLattice& lattice() const { return lattice_; }
 
-  /// Counted from 0: of all currents that are added from now on.
-  void set_bounce(int bounce) { bounce_ = bounce; }
-
-  /// A tube that meets this part of a face.
-  void add(const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face);
+  /// A tube that meets this part of a face, as bounce `bounce`, counted from 0 here and below.
+  void add(int bounce, const Footprint& footprint, const ConvexPolygon& outline, std::uint32_t face);
   /// A rectangular tube that meets a triangle.
-  void add(const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
+  void add(int bounce, const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
   /// The far field `s` of a tube too narrow to be cut, that set out at these launch coordinates and meets this triangle first.
-  void add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
+  void add(int bounce, const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
   /// The same of one that may have been reflected before.
-  void add(const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s);
+  void add(int bounce, const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s);
 
   /// A tube of a spherical wave that meets this part of a face, with its far field; radiated(part) is that of a part of it.
   template <class Radiated>
-  void add(const Beam& beam, const ConvexPolygon& outline, std::uint32_t face, const ScatteringMatrix& whole, Radiated radiated);
+  void add(int bounce, const Beam& beam, const ConvexPolygon& outline, std::uint32_t face, const ScatteringMatrix& whole,
+           Radiated radiated);
 
-  /// The triangle of a face that the ray of these launch coordinates meets.
-  std::uint32_t triangle_under(const Beam& beam, std::uint32_t face, const dvec2& at) const;
-
-  /// Calls visit(part) for what the lines of the lattice leave of a polygon or a box.
-  template <class Visit>
-  void cut_up(const ConvexPolygon& polygon, Visit visit);
-  template <class Visit>
-  void cut_up(const Bounds& box, Visit visit) const;
-
-  std::vector<ScatteringMatrix> take_cells() { return std::move(cells_); }
-  std::vector<ScatteringMatrix> take_triangles() { return std::move(triangles_); }
+  /// A current over a polygon or a box with its far field, part by part: triangle_at(launch coordinates) is where it lies,
+  /// radiated(part) the far field of a part. Quadrature over the parts differs from that over the whole by its error: the
+  /// strongest part takes that.
+  template <class Shape, class TriangleAt, class Radiated>
+  void add(int bounce, const Shape& shape, TriangleAt triangle_at, const ScatteringMatrix& whole, Radiated radiated);
 
  private:
+  // Puts down parts of a current, the strongest with what the others leave of the whole.
+  class Parts;
   struct Slices {
     ConvexPolygon slice, left, beyond;
   };
@@ -86,9 +80,12 @@ class CurrentMap {
   template <class Visit>
   void slice(const ConvexPolygon& polygon, int axis, Slices& slices, Visit visit);
   std::array<dvec2, 3> corners(const Beam& beam, std::uint32_t triangle) const;
-  void keep(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
-  void tell(const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle);
-  void tell_slice(const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle);
+  template <class Visit>
+  void cut_up(const ConvexPolygon& polygon, Visit visit);
+  template <class Visit>
+  void cut_up(const Bounds& box, Visit visit) const;
+  void tell(int bounce, const Footprint& footprint, const ConvexPolygon& part, std::uint32_t triangle);
+  void tell_slice(int bounce, const Footprint& footprint, const ConvexPolygon& slice, std::uint32_t triangle);
   dvec3 place_of(const TubeMiddle& middle) const;
   dvec3 place_on(std::uint32_t triangle, const dvec2& at) const;
   bool clip_to(const std::array<dvec2, 3>& corners, const ConvexPolygon& outline);
@@ -98,27 +95,24 @@ class CurrentMap {
   std::size_t frequency_index_;
   double wavenumber_;
   CurrentSink sink_;
+  bool shallow_;
   std::optional<double> mirror_;
-  int bounce_ = 0;
-  std::vector<ScatteringMatrix> cells_, triangles_;
   ConvexPolygon triangle_, clipped_;
   Slices rows_, columns_;
 };
 
-/// Puts a current on a map part by part. Quadrature over the parts differs from that over the whole by its error: the strongest
-/// part takes that.
-class CurrentInParts {
+class CurrentMap::Parts {
  public:
-  /// `at`, `triangle`: where it is if it has no parts.
-  CurrentInParts(CurrentMap& map, const ScatteringMatrix& whole, const dvec2& at, std::uint32_t triangle)
-      : map_(map), rest_(whole), strongest_(at), triangle_(triangle) {}
+  /// `at`, `triangle`: where the whole is put if there are no parts.
+  Parts(CurrentMap& map, int bounce, const ScatteringMatrix& whole, const dvec2& at, std::uint32_t triangle)
+      : map_(map), bounce_(bounce), rest_(whole), strongest_(at), triangle_(triangle) {}
 
   void add(const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
-  /// After the last part.
-  void finish() { map_.add(strongest_, triangle_, rest_); }
+  void finish() { map_.add(bounce_, strongest_, triangle_, rest_); }
 
  private:
   CurrentMap& map_;
+  int bounce_;
   ScatteringMatrix rest_;
   double most_ = -1.0;
   dvec2 strongest_;
@@ -129,15 +123,22 @@ class CurrentInParts {
 ImageLattice image_lattice(const LaunchGrid& grid);
 
 template <class Radiated>
-void CurrentMap::add(const Beam& beam, const ConvexPolygon& outline, std::uint32_t face, const ScatteringMatrix& whole,
-                     Radiated radiated) {
+void CurrentMap::add(int bounce, const Beam& beam, const ConvexPolygon& outline, std::uint32_t face,
+                     const ScatteringMatrix& whole, Radiated radiated) {
   const std::span<const std::uint32_t> triangles = faces_.triangles(face);
-  CurrentInParts parts(*this, whole, middle(outline), triangles.front());
+  Parts parts(*this, bounce, whole, middle(outline), triangles.front());
   for (const std::uint32_t triangle : triangles) {
     clipped_ = outline;
     if (triangles.size() > 1 && !clip_to(corners(beam, triangle), outline)) continue;
     cut_up(clipped_, [&](const ConvexPolygon& part) { parts.add(middle(part), triangle, radiated(part)); });
   }
+  parts.finish();
+}
+
+template <class Shape, class TriangleAt, class Radiated>
+void CurrentMap::add(int bounce, const Shape& shape, TriangleAt triangle_at, const ScatteringMatrix& whole, Radiated radiated) {
+  Parts parts(*this, bounce, whole, middle(shape), triangle_at(middle(shape)));
+  cut_up(shape, [&](const Shape& part) { parts.add(middle(part), triangle_at(middle(part)), radiated(part)); });
   parts.finish();
 }
 

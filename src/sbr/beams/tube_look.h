@@ -32,7 +32,6 @@ struct TubeLook {
   double tolerance;                  // permitted error of S, as a share of it
   double phase_tolerance;            // by which a curved surface may lie off its description [rad]
   int max_bounces;
-  bool clip;  // integrate over exactly the parts lit; else over the cells of the grid whose ray runs through them
   bool skip;  // cells of the grid under which nothing lies launch no tube
 
   std::span<const double> wavenumbers() const { return surfaces.wavenumbers; }

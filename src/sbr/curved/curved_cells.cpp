@@ -179,9 +179,7 @@ class CellTrace {
     if (bounce >= look_.max_bounces) return;
     const std::vector<ScatteringMatrix> part = through_sheets_->far_field(sheets, piece, box, sums_);
     add(part, bounce);
-    if (!look_.map) return;
-    look_.map->set_bounce(bounce);
-    look_.map->add(at, surface_at(at, triangles), part[look_.map->frequency_index()]);
+    if (look_.map) look_.map->add(bounce, at, surface_at(at, triangles), part[look_.map->frequency_index()]);
   }
 
   // Of the piece's surface over these facets [m].
@@ -327,18 +325,9 @@ class CellTrace {
   void add(const CurvedPiece& piece, const Shape& shape, TriangleAt triangle_at) {
     const std::vector<ScatteringMatrix> part = curved_far_field(light_, piece, shape, &sums_);
     add(part);
-    if (look_.map) add_to_map(piece, shape, part[look_.map->frequency_index()], triangle_at);
-  }
-
-  template <class Shape, class TriangleAt>
-  void add_to_map(const CurvedPiece& piece, const Shape& shape, const ScatteringMatrix& whole, TriangleAt triangle_at) {
-    look_.map->set_bounce(0);
-    CurrentInParts parts(*look_.map, whole, middle(shape), triangle_at(middle(shape)));
-    look_.map->cut_up(shape, [&](const Shape& cell) {
-      const dvec2 at = middle(cell);
-      parts.add(at, triangle_at(at), curved_far_field(map_light_, piece, cell).front());
-    });
-    parts.finish();
+    if (!look_.map) return;
+    look_.map->add(0, shape, triangle_at, part[look_.map->frequency_index()],
+                   [&](const Shape& of) { return curved_far_field(map_light_, piece, of).front(); });
   }
 
   // A piece that lies off the surface by some phase is wrong by as large a share of its far field. Twice: sides are only looked

@@ -215,11 +215,10 @@ class CurvedTubes {
   }
 
   void add_to_map(const glm::uvec2& cell, const CurvedFootprint& footprint, std::uint32_t triangle, int bounce) {
-    look_.map->set_bounce(bounce);
     ScatteringMatrix s;
     add_far_field(s, footprint, look_.map->frequency_index(), look_.map->wavenumber(), {look_.grid.du, look_.grid.dv});
     const dvec2 at(look_.grid.u_center(cell.x), look_.grid.v_center(cell.y));
-    look_.map->add({at, footprint.outgoing.base, footprint.phase}, triangle, s);
+    look_.map->add(bounce, {at, footprint.outgoing.base, footprint.phase}, triangle, s);
   }
 
   const TubeLook& look_;

@@ -66,9 +66,8 @@ void NearFacets::light(TubeSums& to, int bounce, const SurfacesMet& met, std::ui
     at_frequency.add(alone, 0, facet, met, points_on(plane, of));
     return alone.bounces[0][0];
   };
-  CurrentInParts parts(*look_.map, radiated(part), middle(part), triangle);
-  look_.map->cut_up(part, [&](const ConvexPolygon& of) { parts.add(middle(of), triangle, radiated(of)); });
-  parts.finish();
+  look_.map->add(
+      bounce, part, [&](const dvec2&) { return triangle; }, radiated(part), radiated);
 }
 
 ConvexPolygon NearFacets::outline_of(std::uint32_t triangle) const { return outline_of(look_.smooth->facet(triangle)); }
@@ -116,16 +115,16 @@ void NearFacets::add(std::uint32_t triangle, const ConvexPolygon& part, Radiate 
 // Cut up where the antenna sees the facet's plane.
 void NearFacets::add_to_map(std::uint32_t triangle, const ConvexPolygon& outline, const ScatteringMatrix& whole) {
   const BentFacet facet = seen(triangle);
-  CurrentInParts parts(*look_.map, whole, middle(outline), triangle);
   const Patch plane = plane_of(facet);
-  if (!(std::abs(facing(beam_, plane)) > least_facing)) return parts.finish();
+  if (!(std::abs(facing(beam_, plane)) > least_facing)) return look_.map->add(0, middle(outline), triangle, whole);
   const SphericalLook at_frequency = look_.spherical->at_frequency(look_.map->frequency_index());
-  look_.map->cut_up(outline, [&](const ConvexPolygon& part) {
-    TubeSums alone;
-    at_frequency.add(alone, facet, material(triangle), points_on(plane, part));
-    parts.add(middle(part), triangle, alone.bounces[0][0]);
-  });
-  parts.finish();
+  look_.map->add(
+      0, outline, [&](const dvec2&) { return triangle; }, whole,
+      [&](const ConvexPolygon& part) {
+        TubeSums alone;
+        at_frequency.add(alone, facet, material(triangle), points_on(plane, part));
+        return alone.bounces[0][0];
+      });
 }
 
 }  // namespace raytube

@@ -100,7 +100,6 @@ std::vector<ScatteringMatrix> CurvedThroughSheets::far_field(const SheetsBefore&
 }
 
 void CurvedThroughSheets::add(TubeSums& to, const Source& source, const VisiblePart& part, int bounce) {
-  if (look_.map) look_.map->set_bounce(bounce);
   if (look_.spherical)
     add_near(to, source, part, bounce);
   else
@@ -118,7 +117,11 @@ void CurvedThroughSheets::add_near(TubeSums& to, const Source& source, const Vis
 void CurvedThroughSheets::add_far(TubeSums& to, const Source& source, const VisiblePart& part, int bounce) {
   const CurvedPiece piece = piece_over(look_, middle(part.outline), look_.faces.faces()[part.face].triangle);
   std::vector<ScatteringMatrix> radiated = far_field(source, piece, part.outline, &to);
-  if (look_.map) add_to_map(source, piece, part, radiated[look_.map->frequency_index()]);
+  if (CurrentMap* const map = look_.map)
+    map->add(
+        bounce, part.outline, [&](const dvec2&) { return look_.faces.faces()[part.face].triangle; },
+        radiated[map->frequency_index()],
+        [&](const ConvexPolygon& of) { return far_field(source, piece, of, nullptr)[map->frequency_index()]; });
   std::vector<ScatteringMatrix>& sums = to.at(bounce, radiated.size());
   to.pieces.resize(radiated.size());
   for (std::size_t f = 0; f < radiated.size(); ++f) {
@@ -137,16 +140,6 @@ std::vector<ScatteringMatrix> CurvedThroughSheets::far_field(const Source& sourc
   for (std::size_t f = 0; screened && f < radiated.size(); ++f)
     radiated[f].s = received_through(beams_.added_by_screen(source.node, f), radiated[f].s);
   return radiated;
-}
-
-void CurvedThroughSheets::add_to_map(const Source& source, const CurvedPiece& piece, const VisiblePart& part,
-                                     const ScatteringMatrix& whole) const {
-  const std::uint32_t triangle = look_.faces.faces()[part.face].triangle;
-  CurrentInParts parts(*look_.map, whole, middle(part.outline), triangle);
-  look_.map->cut_up(part.outline, [&](const ConvexPolygon& cell) {
-    parts.add(middle(cell), triangle, far_field(source, piece, cell, nullptr)[look_.map->frequency_index()]);
-  });
-  parts.finish();
 }
 
 }  // namespace raytube

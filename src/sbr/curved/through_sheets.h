@@ -63,7 +63,6 @@ class CurvedThroughSheets {
   void add_far(TubeSums& to, const Source& source, const VisiblePart& part, int bounce);
   std::vector<ScatteringMatrix> far_field(const Source& source, const CurvedPiece& piece, const ConvexPolygon& outline,
                                           TubeSums* incoherent) const;
-  void add_to_map(const Source& source, const CurvedPiece& piece, const VisiblePart& part, const ScatteringMatrix& whole) const;
 
   const TubeLook& look_;
   BeamVisibility& visible_;

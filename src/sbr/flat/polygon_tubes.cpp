@@ -5,9 +5,7 @@
 
 #include "sbr/beams/current_map.h"
 #include "sbr/beams/truncated_tubes.h"
-#include "sbr/flat/cell_tubes.h"
 #include "sbr/flat/polygon_currents.h"
-#include "sbr/launch/lattice.h"
 #include "sbr/visible/beam_visibility.h"
 
 namespace raytube {
@@ -42,8 +40,6 @@ dvec2 point_of_twin(const PolygonTube& tube) {
   return at + std::sqrt(0.5) * (tube.outline[tube.corner % tube.outline.size()].at - at);
 }
 
-// A polygon that holds no more cells than this costs more than their rays.
-constexpr std::uint64_t few_cells = 16;
 // With more tubes than this under way, or more faces to meet, tubes smaller than a cell are no longer cut.
 constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
@@ -53,8 +49,7 @@ struct FaceTrace {
       : look_(look),
         beams_(look.faces.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
         visible_(look.faces, look.tracer),
-        currents_(look, beams_, line_of_sight_),
-        cell_tubes_(look, beams_, sums_) {
+        currents_(look, beams_, line_of_sight_) {
     if (look.sheets) line_of_sight_.emplace(*look.sheets, look.faces, look.tracer, visible_, beams_);
   }
 
@@ -153,18 +148,13 @@ struct FaceTrace {
   // Turns the parts that a tube has met into currents and reflected tubes.
   void reflect(const PolygonTube& tube, int bounce) {
     for (VisiblePart& part : parts_) {
-      if (!look_.clip) cells_under(look_.grid, part.outline, blocks_);
-      if (!look_.clip && blocks_.empty()) continue;
       if (is_left_to_curved(tube.beam, part.face)) continue;
       const std::uint32_t patch = look_.faces.faces()[part.face].patch;
       const std::uint32_t node = beams_.child(tube.beam, patch, middle(part.outline));
       if (tube.course != Course::twin) sums_.meet(bounce, area(part.outline), beams_.amplitude(tube.beam));
       integrate(node, part, bounce, tube);
       const auto send_on = [&](std::uint32_t beam, ConvexPolygon outline) {
-        if (look_.clip || cells_of(blocks_) > few_cells)
-          reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.stands_for});
-        else
-          follow_by_rays(beam, patch);
+        reflected_.push_back({beam, patch, std::move(outline), tube.course, tube.corner, tube.stands_for});
       };
       if (const std::uint32_t through = beams_.through(node); through != no_index) send_on(through, part.outline);
       if (beams_.is_lit(node)) send_on(node, std::move(part.outline));
@@ -179,7 +169,7 @@ struct FaceTrace {
 
   // Where tubes grow too many, those smaller than a cell are no longer cut.
   void find_narrow() {
-    if (!look_.clip || !too_many()) return;
+    if (!too_many()) return;
     const double cell = look_.grid.du * look_.grid.dv;
     for (PolygonTube& tube : reflected_) {
       if (tube.course != Course::cut || area(tube.outline) >= cell) continue;
@@ -212,13 +202,6 @@ struct FaceTrace {
     return static_cast<double>(reflected_.size()) * look_.grid.du * look_.grid.dv > covered;
   }
 
-  void follow_by_rays(std::uint32_t beam, std::uint32_t patch) {
-    for (const CellBlock& block : blocks_)
-      for (std::uint32_t row = block.row_begin; row < block.row_end; ++row)
-        for (std::uint32_t column = block.column_begin; column < block.column_end; ++column)
-          cell_tubes_.add(column, row, beam, patch);
-  }
-
   // What a narrow tube and its twin radiate once they have parted is wrong by as much: an edge divides the tube somewhere between
   // its middle and a corner. If it takes the share 1 - x, below one half, of the tube's area, the error is the share 1 - x of
   // both currents, and twins part with the probability 1 - x. Over all x the mean square of the former is 1/12, the mean of the
@@ -226,17 +209,13 @@ struct FaceTrace {
   // twins in place of their tubes differs by more.
   void integrate(std::uint32_t node, const VisiblePart& part, int bounce, const PolygonTube& tube) {
     const Course course = tube.course;
-    if (look_.map) look_.map->set_bounce(bounce);
-    if (course != Course::parted && course != Course::twin) return currents_.add(sums_, node, part, blocks_, bounce, look_.map);
-    TubeSums sums;  // as if this were the first bounce
-    currents_.add(sums, node, part, blocks_, 0, course == Course::parted ? look_.map : nullptr);
+    if (course != Course::parted && course != Course::twin) return currents_.add(sums_, node, part, bounce, look_.map);
+    TubeSums sums;
+    currents_.add(sums, node, part, bounce, course == Course::parted ? look_.map : nullptr);
     sums_.pieces.resize(look_.wavenumbers().size());
     for (std::size_t f = 0; f < sums_.pieces.size(); ++f)
-      sums_.pieces[f].add(sums.bounces[0][f], course == Course::parted ? tube.stands_for : -tube.stands_for);
-    if (course != Course::parted) return;
-    sums.bounces.insert(sums.bounces.begin(), static_cast<std::size_t>(bounce), {});
-    sums.hits.insert(sums.hits.begin(), static_cast<std::size_t>(bounce), 0);
-    sums_.add(sums);
+      sums_.pieces[f].add(sums.bounces.back()[f], course == Course::parted ? tube.stands_for : -tube.stands_for);
+    if (course == Course::parted) sums_.add(sums);
   }
 
   const TubeLook& look_;
@@ -248,11 +227,9 @@ struct FaceTrace {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   PolygonCurrents currents_;
-  std::vector<CellBlock> blocks_;
   std::uint32_t twins_ = 0;  // number of them so far
   double twins_due_ = 0.5;
   TubeSums sums_;
-  CellTubes cell_tubes_;
 };
 
 }  // namespace
@@ -270,11 +247,10 @@ TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t en
   trace.reflect({BeamTree::root, no_index, {}}, 0);
   trace.sums_.rays = trace.sums_.tubes = trace.sums_.hits.empty() ? 0 : trace.sums_.hits[0];
   trace.count_faces_away(begin, end);
-  for (int bounce = 1; !look.convexity.no_reflection && !(trace.reflected_.empty() && trace.cell_tubes_.empty()); ++bounce) {
+  for (int bounce = 1; !look.convexity.no_reflection && !trace.reflected_.empty(); ++bounce) {
     trace.beams_.next_bounce();
     if (bounce < look.max_bounces) trace.find_narrow();
     if (trace.beams_.spectral()) trace.end_weakest();
-    trace.cell_tubes_.advance(bounce);
     std::swap(trace.tubes_, trace.reflected_);
     trace.reflected_.clear();
     trace.send_rays();

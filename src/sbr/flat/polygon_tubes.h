@@ -3,7 +3,7 @@
 //
 // The central header of this folder, in which tubes on flat faces are traced in two ways: as polygons of launch coordinates,
 // whose PO integral is a closed form whatever their size (polygon_tubes), or as single cells of the launch grid, each followed by
-// one ray (cell_tubes; tile_tracer launches a tile of them where coverage finds the target). Bounces are counted from 0.
+// one ray (tile_tracer, a tile of them where coverage finds the target). Bounces are counted from 0.
 #pragma once
 
 #include "sbr/beams/tube_look.h"
@@ -12,7 +12,7 @@
 namespace raytube {
 
 /// Follows the waves that reach the flat ones of the faces [begin, end) directly through all their reflections and integrates the
-/// currents of every bounce. Without `clip` the sum over all faces is that of the uniform grid.
+/// currents of every bounce.
 TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end);
 
 }  // namespace raytube

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "sbr/launch/convex_polygon.h"
 #include "sbr/launch/launch.h"
 
 namespace raytube {
@@ -13,6 +14,12 @@ struct CellBlock {
   std::uint32_t column_begin, column_end, row_begin, row_end;
   std::uint64_t cells() const { return std::uint64_t{column_end - column_begin} * (row_end - row_begin); }
 };
+
+/// A cell in launch coordinates [m].
+inline Bounds cell_bounds(const LaunchGrid& grid, std::uint32_t column, std::uint32_t row) {
+  const dvec2 low{grid.u_begin + column * grid.du, grid.v_begin + row * grid.dv};
+  return {low, low + dvec2(grid.du, grid.dv)};
+}
 
 /// The sides of a tile in cells: multiples of three, so that no group of the coarse grids is divided, and of the width of a
 /// packet of rays.

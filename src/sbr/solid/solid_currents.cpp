@@ -69,7 +69,7 @@ void SolidCurrents::add(const TubePiece& piece, const Hits& hits, const std::arr
     sums[f] += s;
     sums_.add_inside(f, sums.size(), {s, left});
     count_error(piece, f, s);
-    if (look_.map && look_.map->frequency_index() == f) add_to_map(piece, s, bounce);
+    if (look_.map && look_.map->frequency_index() == f) look_.map->add(bounce, piece.middle(), triangle_, s);
   }
   ++sums_.hits[static_cast<std::size_t>(bounce)];
   sums_.meet(bounce, piece.area(), amplitude(hits[0].arriving, lowest_));
@@ -96,11 +96,6 @@ void SolidCurrents::count_error(const TubePiece& piece, std::size_t f, const Sca
   sums_.pieces.resize(look_.wavenumbers().size());
   ScatteringMatrix error = s;
   sums_.pieces[f].add(error *= 0.5);
-}
-
-void SolidCurrents::add_to_map(const TubePiece& piece, const ScatteringMatrix& s, int bounce) const {
-  look_.map->set_bounce(bounce);
-  look_.map->add(piece.middle(), triangle_, s);
 }
 
 }  // namespace raytube

@@ -46,7 +46,6 @@ class SolidCurrents {
            int bounce, double left);
   Complex mean(const TubePiece& piece, const Hits& hits, double wavenumber) const;
   void count_error(const TubePiece& piece, std::size_t f, const ScatteringMatrix& s);
-  void add_to_map(const TubePiece& piece, const ScatteringMatrix& s, int bounce) const;
 
   const TubeLook& look_;
   const SolidWaves& waves_;

@@ -10,20 +10,17 @@ namespace raytube {
 /// [tubes] and [accuracy].
 template <class Tubes, class Visit>
 void visit_tube_keys(Tubes& tubes, Visit&& visit) {
-  constexpr std::array<std::string_view, 2> mode_and_clip = {"tubes.mode", "tubes.clip"};
-  constexpr std::string_view adaptive = "tubes.mode = \"adaptive\"; a uniform grid is never clipped, so remove it",
-                             curved = "adaptive tubes with clip; the others see facets, so remove it",
-                             refined = "adaptive tubes with clip; the others have the density given, so remove it";
+  constexpr std::string_view curved = "adaptive tubes; uniform ones see facets, so remove it",
+                             refined = "adaptive tubes; uniform ones have the density given, so remove it";
   visit(CaseKey{"tubes.mode"}, tubes.mode);
-  visit(CaseKey{"tubes.per_wavelength", a_density, "1/λ", "40; uniform or unclipped: 10"},
+  visit(CaseKey{"tubes.per_wavelength", a_density, "1/λ", "40; uniform: 10"},
         tubes.refines() ? tubes.max_per_wavelength : tubes.per_wavelength);
   visit(CaseKey{"tubes.max_bounces", {1, 1000}}, tubes.max_bounces);
-  visit(CaseKey{.name = "tubes.clip", .allowed = tubes.mode == TubeMode::adaptive, .needs = adaptive, .choices = {"tubes.mode"}},
-        tubes.clip);
-  visit(CaseKey{.name = "tubes.curved", .allowed = tubes.refines(), .needs = curved, .choices = mode_and_clip}, tubes.curved);
+  visit(CaseKey{.name = "tubes.curved", .allowed = tubes.refines(), .needs = curved, .choices = {"tubes.mode"}}, tubes.curved);
   visit(CaseKey{"tubes.skip"}, tubes.skip);
   visit(CaseKey{.name = "tubes.up", .unit = "mesh axes", .by_default = "−θ̂", .shown = tubes.up.has_value()}, tubes.up);
-  visit(CaseKey{"accuracy.tolerance_db", above_zero, "dB", "", 1.0, tubes.refines(), refined, mode_and_clip}, tubes.tolerance_db);
+  visit(CaseKey{"accuracy.tolerance_db", above_zero, "dB", "", 1.0, tubes.refines(), refined, {"tubes.mode"}},
+        tubes.tolerance_db);
   visit(CaseKey{"accuracy.model_share",
                 {0, 1},
                 "",
@@ -31,7 +28,7 @@ void visit_tube_keys(Tubes& tubes, Visit&& visit) {
                 1.0,
                 tubes.refines(),
                 refined,
-                mode_and_clip},
+                {"tubes.mode"}},
         tubes.model_share);
 }
 

@@ -37,7 +37,7 @@ MechanismState surface_waves_state(const SolvePlan& plan) {
   if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
   if (!plan.fringe()) return without("they need edge currents (edges.method = \"fringe\")");
   if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
-    return without("with tubes.curved = \"never\", or tubes that are not clipped, facets are the surface itself");
+    return without("with tubes.curved = \"never\", or uniform tubes, facets are the surface itself");
   const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
   if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
   const auto count = [&](const BandPlan& band) { return wave_facets(plan, band); };

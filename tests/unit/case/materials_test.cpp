@@ -381,13 +381,11 @@ TEST(CaseMaterials, OtherConflictsAreBlamedOnTheCommandLine) {
   const auto blamed = [](const std::string& keys, const std::string& option, const std::string& says) {
     EXPECT_THAT(complaint(smallest + keys, {option}), AllOf(StartsWith("--set " + option + ": "), HasSubstr(says)));
   };
-  blamed("[tubes]\nclip = true\n", "tubes.mode=uniform", "tubes.clip needs tubes.mode");
   blamed("[tubes]\ncurved = \"never\"\n", "tubes.mode=uniform", "tubes.curved needs adaptive tubes");
-  blamed("[accuracy]\ntolerance_db = 1\n", "tubes.clip=false", "accuracy.tolerance_db needs adaptive tubes");
+  blamed("[accuracy]\ntolerance_db = 1\n", "tubes.mode=uniform", "accuracy.tolerance_db needs adaptive tubes");
   blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "edges.method=none", "edges.utd_range_m needs edges.method");
   blamed("[output]\nimage_look = 0\n", "edges.method=utd", "output.image_look needs currents");
   blamed("[edges]\nmethod = \"utd\"\nutd_range_m = 9\n", "radar.range_m=9", "remove one of the two");
-  blamed("[radar]\nrange_m = 1000\n", "tubes.clip=false", "[radar] needs exact polygons");
   blamed("", "look.looks_csv=looks.csv", "look.looks_csv cannot be combined with");
   blamed("", "radar.position_m=[0,0,9]", "[look] cannot be combined with radar.position_m");
 }

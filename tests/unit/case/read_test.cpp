@@ -14,7 +14,6 @@ TEST(CaseRead, SmallestCaseGetsEveryDefault) {
   EXPECT_EQ(c.mesh_files.front().filename(), "m.stl");
   EXPECT_EQ(c.mesh_files.front().parent_path(), c.file.parent_path());
   EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
-  EXPECT_TRUE(c.tubes.clip);
   EXPECT_TRUE(c.tubes.skip);
   EXPECT_EQ(c.tubes.curved, CurvedSurfaces::convex);
   EXPECT_EQ(c.tubes.tolerance_db, 0.1);
@@ -32,7 +31,7 @@ TEST(CaseRead, EveryKeyIsTaken) {
   const Case c = read_text(
       "title = \"T\"\n[target]\nmesh = \"sub/m.obj\"\nunit = \"ft\"\nmaterial = \"pec\"\n[frequency]\nghz = [1, 2.5]\n"
       "[look]\ntheta_deg = 30\nphi_deg = 40.5\n[receive]\ntheta_deg = 50\nphi_deg = [60, 70]\n"
-      "[tubes]\nmode = \"adaptive\"\nclip = false\nskip = false\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
+      "[tubes]\nmode = \"adaptive\"\nskip = false\nper_wavelength = 12\nmax_bounces = 3\nup = [0, 0, 2.0]\n"
       "[edges]\nmethod = \"none\"\norder = 3\nthin_sheets = false\nmin_wedge_deg = 20\n[output]\nplots = false\n");
   EXPECT_EQ(c.title, "T");
   EXPECT_THAT(c.mesh_files.front().string(), ::testing::EndsWith("/sub/m.obj"));
@@ -43,9 +42,8 @@ TEST(CaseRead, EveryKeyIsTaken) {
   EXPECT_EQ(c.sweep.looks[1].transmit, (Direction{30.0 * degree, 40.5 * degree}));
   EXPECT_EQ(c.sweep.looks[1].receive, (Direction{50.0 * degree, 70.0 * degree}));
   EXPECT_EQ(c.tubes.mode, TubeMode::adaptive);
-  EXPECT_FALSE(c.tubes.clip);
   EXPECT_FALSE(c.tubes.skip);
-  EXPECT_EQ(c.tubes.per_wavelength, 12.0);
+  EXPECT_EQ(c.tubes.max_per_wavelength, 12.0);
   EXPECT_EQ(c.tubes.max_bounces, 3);
   EXPECT_EQ(*c.tubes.up, dvec3(0, 0, 2));
   EXPECT_EQ(c.edges.method, EdgeMethod::none);
@@ -218,7 +216,6 @@ TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
                            "\"theta_deg\": 90.0",
                            "\"mode\": \"adaptive\"",
                            "\"per_wavelength\": 40.0",
-                           "\"clip\": true",
                            "\"skip\": true",
                            "\"curved\": \"convex\"",
                            "\"tolerance_db\": 0.1",

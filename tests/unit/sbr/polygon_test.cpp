@@ -5,7 +5,6 @@
 #include <random>
 
 #include "sbr/beams/polygon_integral.h"
-#include "sbr/launch/lattice.h"
 
 namespace raytube {
 namespace {
@@ -161,51 +160,6 @@ TEST(PolygonIntegral, OfANeedleIsAsGoodAsOfAnyOther) {
     const Complex exact = phase_integral(with_gradient(size, 2.0 * size), 1.0, {0.5, 0.5 * width}, 1.0, width);
     EXPECT_NEAR(std::abs(phase_integral(with_gradient(size, 2.0 * size), 1.0, needle) - exact), 0.0, 1e-13 * width);
   }
-}
-
-LaunchGrid unit_grid() {
-  LaunchGrid grid;
-  grid.u_begin = grid.v_begin = -1.0;
-  grid.columns = 37, grid.rows = 29;
-  grid.du = 2.0 / 37, grid.dv = 2.0 / 29;
-  return grid;
-}
-
-// However a square is cut up, each cell belongs to exactly one part.
-TEST(Lattice, PartsOfACutShareTheCells) {
-  const LaunchGrid grid = unit_grid();
-  std::mt19937 random(4);
-  std::uniform_real_distribution<double> number(-1.0, 1.0);
-  std::vector<ConvexPolygon> parts = {polygon({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})};
-  for (int i = 0; i < 12; ++i) {
-    const Affine line{0.5 * number(random), number(random), number(random)};
-    std::vector<ConvexPolygon> next;
-    for (const ConvexPolygon& part : parts) {
-      ConvexPolygon positive, negative;
-      cut(part, line, 1e-15, positive, negative);
-      if (!positive.empty()) next.push_back(positive);
-      if (!negative.empty()) next.push_back(negative);
-    }
-    parts = next;
-  }
-  std::vector<int> owners(grid.cells(), 0);
-  std::vector<CellBlock> blocks;
-  for (const ConvexPolygon& part : parts) {
-    cells_under(grid, part, blocks);
-    for (const CellBlock& b : blocks)
-      for (std::uint32_t row = b.row_begin; row < b.row_end; ++row)
-        for (std::uint32_t column = b.column_begin; column < b.column_end; ++column) {
-          ++owners[row * grid.columns + column];
-          for (const Corner& corner : part) EXPECT_GE(corner.edge(grid.ray_coordinates(column, row)), -rounding);
-        }
-  }
-  for (const int count : owners) EXPECT_EQ(count, 1);
-}
-
-TEST(Lattice, RowsOfOneWidthAreOneBlock) {
-  std::vector<CellBlock> blocks;
-  cells_under(unit_grid(), polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}), blocks);
-  EXPECT_EQ(blocks.size(), 1u);
 }
 
 }  // namespace

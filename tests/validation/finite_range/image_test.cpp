@@ -66,9 +66,6 @@ TEST(Image, CellsAddUpToTheRow) {
               "plate");
   expect_sums({shapes::dihedral(0.8, 1.0), one_look(aside), adaptive(EdgeMethod::none), 0}, rounding, "dihedral, adaptive");
   expect_sums({shapes::dihedral(0.8, 1.0), one_look(aside), options(EdgeMethod::none), 0}, rounding, "dihedral, uniform");
-  SolveOptions unclipped = adaptive(EdgeMethod::none);
-  unclipped.tubes.clip = false;
-  expect_sums({shapes::dihedral(0.8, 1.0), one_look(aside), unclipped, 0}, rounding, "dihedral, not clipped");
   expect_sums({shapes::trihedral(0.8), one_look(aside), adaptive(EdgeMethod::none), 0, 7.3}, rounding, "trihedral");
 }
 

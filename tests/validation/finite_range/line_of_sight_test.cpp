@@ -85,13 +85,6 @@ TEST(LineOfSight, TheEdgeOfASheetDividesWhatIsReceivedThroughIt) {
   const PolygonSoup covered = rectangle({0.0, -h}, {h, h}, 0.0), open = rectangle({-h, -h}, {0.0, h}, 0.0);
   const ScatteringMatrix expected = through(Scene{covered, {}}.seen(look, look), theta, theta) + Scene{open, {}}.seen(look, look);
   EXPECT_LT(difference(behind(shapes::plate(2.0 * h), sheet, look, look), expected), 1e-9);
-  // Wide tubes that end at cells are those of single rays.
-  TubeOptions cells, rays;
-  cells.clip = false;
-  rays.mode = TubeMode::uniform;
-  EXPECT_LT(difference(behind(shapes::plate(2.0 * h), sheet, look, look, cells),
-                       behind(shapes::plate(2.0 * h), sheet, look, look, rays)),
-            1e-9);
 }
 
 // Only the receiver has the sheet before it, in the mirror direction of the plate, where none of the shadow's lobe arrives; and
