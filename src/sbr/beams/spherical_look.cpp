@@ -27,12 +27,6 @@ dvec3 vector_of(const Beam& beam, const Components& c) { return c.u * beam.u_hat
 
 double area(const dvec3& a, const dvec3& b, const dvec3& c) { return 0.5 * glm::length(glm::cross(b - a, c - a)); }
 
-using Weight = std::array<std::array<double, 2>, 2>;
-
-double inner(const Weight& a, const Weight& b) {
-  return a[0][0] * b[0][0] + a[0][1] * b[0][1] + a[1][0] * b[1][0] + a[1][1] * b[1][1];
-}
-
 }  // namespace
 
 SphericalLook::SphericalLook(const AntennaPair& antennas, const Beam& incident, const SpectralSurfaces& surfaces,
@@ -90,6 +84,30 @@ SphericalLook::Current SphericalLook::current(const BentFacet& facet, const dvec
     for (int p = 0; p < 2; ++p) c.weight[p][q] = at.stretch * glm::dot(received.field[p], eta_j);
   }
   return c;
+}
+
+SphericalLook::SpectralCurrent SphericalLook::spectral_current(const Beam& outgoing, const dvec3& r) const {
+  AntennaRay ray = wave_at_first(outgoing, r);
+  const AntennaRay received = antennas_.receive.ray_to(r);
+  auto currents = std::make_shared<ReceivedCurrents>(received_currents(surfaces_, *outgoing.met, ray, received));
+  return {r, ray.path + received.path, -ray.direction - received.direction, std::move(currents)};
+}
+
+// The transmitter's own wave; nothing where the surface turns away from it.
+SphericalLook::SpectralCurrent SphericalLook::spectral_current(const BentFacet& facet, SurfacesMet met, const dvec3& r) const {
+  const SurfacePoint at = facet.over(r);
+  AntennaRay arriving = antennas_.transmit.ray_to(at.point);
+  const AntennaRay received = antennas_.receive.ray_to(at.point);
+  const SpectralCurrent dark{r, arriving.path + received.path, -arriving.direction - received.direction, nullptr};
+  if (glm::dot(at.normal, arriving.direction) >= 0.0) return dark;
+  met.surfaces.back().normal = at.normal;
+  ReceivedCurrents currents = received_currents(surfaces_, met, arriving, received);
+  for (ChannelWeights& weight : currents.weight)
+    for (auto& row : weight)
+      for (Complex& w : row) w *= at.stretch;
+  for (auto& sigma : currents.incoherent)
+    for (double& of : sigma) of *= at.stretch;
+  return {r, dark.path, dark.change, std::make_shared<const ReceivedCurrents>(std::move(currents))};
 }
 
 namespace {
@@ -229,39 +247,51 @@ void SphericalLook::add(const Sums& sums, const Corners<C>& triangle, At at) con
   add(sums, Corners<C>{middles[i], end, tip}, at);
 }
 
-// The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners.
-double SphericalLook::bend_of(const Triangle& corners, const Triangle& middles) const {
-  double largest = 0.0, square = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Current &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
-    const double ends = 0.25 * (inner(a.weight, a.weight) + 2.0 * inner(a.weight, b.weight) + inner(b.weight, b.weight));
-    const double across = 0.5 * (inner(a.weight, m.weight) + inner(b.weight, m.weight));
-    const double turn = std::cos(highest_ * (m.path - 0.5 * (a.path + b.path)));
-    square = std::max(square, ends + inner(m.weight, m.weight) - 2.0 * turn * across);
-    largest = std::max(largest, inner(a.weight, a.weight));
+// The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners, at the frequency
+// where it is largest: coefficients of materials turn with the angle as phases do.
+template <class C>
+double SphericalLook::bend_of(const Corners<C>& corners, const Corners<C>& middles) const {
+  double most = 0.0;
+  for (std::size_t f = 0; f < C::weights_of(wavenumbers_.size()); ++f) {
+    double largest = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const C &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
+      const auto &at_a = a.weight_at(f), &at_b = b.weight_at(f), &at_m = m.weight_at(f);
+      const Complex turn = std::polar(1.0, -highest_ * (m.path - 0.5 * (a.path + b.path)));
+      double off = 0.0, square = 0.0;
+      for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q) {
+          off += std::norm(turn * at_m[p][q] - 0.5 * (at_a[p][q] + at_b[p][q]));
+          square += std::norm(at_a[p][q]);
+        }
+      squares = std::max(squares, off), largest = std::max(largest, square);
+    }
+    if (squares > 0.0) most = std::max(most, largest > 0.0 ? std::sqrt(squares / largest) : 1.0);
   }
-  if (square <= 0.0) return 0.0;
-  return largest > 0.0 ? std::sqrt(square / largest) : 1.0;
+  return most;
 }
 
 // Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
 // The share `left` that this leaves is known but for its phase: parts are taken as independent.
-void SphericalLook::add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const {
+template <class C>
+void SphericalLook::add_smooth(const Sums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const {
   const double size = area(corners[0].point, corners[1].point, corners[2].point), path = corners[0].path;
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
     const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
     const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
     const Complex factor = Complex(0.0, -scale) * std::polar(1.0, -k * path);
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3;
-      const Current &a = corners[i], &b = corners[j], &m = middles[i];
+      const C &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
+      const auto &at_a = a.weight_at(f), &at_b = b.weight_at(f), &at_m = m.weight_at(f);
       const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q) {
           sums.scattering[f].at(p, q) +=
-              factor * (a.weight[p][q] * moments[i] + (m.weight[p][q] * bent - a.weight[p][q] - b.weight[p][q]) * moments[3 + i]);
-          sums.errors[f].squares[p][q] += std::pow(scale * left * m.weight[p][q], 2) / 3.0;
+              factor * (at_a[p][q] * moments[i] + (at_m[p][q] * bent - at_a[p][q] - at_b[p][q]) * moments[3 + i]);
+          sums.errors[f].squares[p][q] += std::pow(scale * left, 2) * std::norm(at_m[p][q]) / 3.0;
         }
+      const auto incoherent = m.incoherent_at(f);
+      for (std::size_t q = 0; !sums.incoherent.empty() && q < 2; ++q) sums.incoherent[f][q] += size / 3.0 * incoherent[q];
     }
   }
 }

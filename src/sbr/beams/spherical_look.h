@@ -68,6 +68,9 @@ class SphericalLook {
     std::array<std::array<double, 2>, 2> weight;  // E_p . eta J_q, per area there
 
     bool lit() const { return weight != std::array<std::array<double, 2>, 2>{}; }
+    static std::size_t weights_of(std::size_t /*frequencies*/) { return 1; }
+    const std::array<std::array<double, 2>, 2>& weight_at(std::size_t /*frequency*/) const { return weight; }
+    std::array<double, 2> incoherent_at(std::size_t /*frequency*/) const { return {}; }
   };
   // The same on other than perfect conductors, complex and different at every frequency; null: nothing is lit.
   struct SpectralCurrent {
@@ -77,6 +80,14 @@ class SphericalLook {
     std::shared_ptr<const ReceivedCurrents> received;
 
     bool lit() const { return received != nullptr; }
+    static std::size_t weights_of(std::size_t frequencies) { return frequencies; }
+    const ChannelWeights& weight_at(std::size_t frequency) const {
+      static constexpr ChannelWeights dark{};
+      return received ? received->weight[frequency] : dark;
+    }
+    std::array<double, 2> incoherent_at(std::size_t frequency) const {
+      return received && !received->incoherent.empty() ? received->incoherent[frequency] : std::array<double, 2>{};
+    }
   };
   struct Sums {
     std::vector<ScatteringMatrix>& scattering;  // of each wavenumber
@@ -87,8 +98,6 @@ class SphericalLook {
   // Corners; side i runs from corner i to the next one.
   template <class C>
   using Corners = std::array<C, 3>;
-  using Triangle = Corners<Current>;
-  using SpectralTriangle = Corners<SpectralCurrent>;
 
   Current current(const Beam& outgoing, const Patch& plane, const dvec3& r) const;
   Current current(const BentFacet& facet, const dvec3& r) const;
@@ -102,10 +111,10 @@ class SphericalLook {
   auto with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const;
   template <class C, class At>
   void add(const Sums& sums, const Corners<C>& triangle, At at) const;
-  double bend_of(const Triangle& corners, const Triangle& middles) const;
-  double bend_of(const SpectralTriangle& corners, const SpectralTriangle& middles) const;
-  void add_smooth(const Sums& sums, const Triangle& corners, const Triangle& middles, double left) const;
-  void add_smooth(const Sums& sums, const SpectralTriangle& corners, const SpectralTriangle& middles, double left) const;
+  template <class C>
+  double bend_of(const Corners<C>& corners, const Corners<C>& middles) const;
+  template <class C>
+  void add_smooth(const Sums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const;
 
   const AntennaPair& antennas_;
   Beam incident_;

@@ -25,65 +25,6 @@ constexpr double widest_cell_phase = 60.0;
 constexpr double smallest_cell = 1.0 / 32.0, outline_cell = 16.0;
 // Share of a cell that facets may leave free, by rounding.
 constexpr double free_share = 1e-9;
-// What differs by less, of what is compared, is equal but for rounding: on bodies of some symmetry sides of facets run through
-// the middles of cells and of faces, and it must not be rounding that decides.
-constexpr double tie = 1e-9;
-
-ConvexPolygon rectangle(const Bounds& box) {
-  ConvexPolygon polygon;
-  set_corners(polygon, std::array{box.low, dvec2(box.high.x, box.low.y), box.high, dvec2(box.low.x, box.high.y)});
-  return polygon;
-}
-
-bool is_empty(const Range& range) { return range.low > range.high; }
-
-// The part [low, high] of the way from `a` to `b` that lies in the box.
-Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
-  Range part{0.0, 1.0};
-  for (int axis = 0; axis < 2; ++axis) {
-    const double way = b[axis] - a[axis];
-    if (way == 0.0) {
-      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return {1.0, 0.0};
-      continue;
-    }
-    const double to_low = (box.low[axis] - a[axis]) / way, to_high = (box.high[axis] - a[axis]) / way;
-    part = {std::max(part.low, std::min(to_low, to_high)), std::min(part.high, std::max(to_low, to_high))};
-  }
-  return part;
-}
-
-}  // namespace
-
-Bounds FacingTriangle::bounds() const {
-  return {glm::min(glm::min(at[0], at[1]), at[2]), glm::max(glm::max(at[0], at[1]), at[2])};
-}
-
-// Neither the box's sides nor the triangle's separate them.
-bool FacingTriangle::reaches(const Bounds& box) const {
-  if (!bounds().overlaps(box, 0.0)) return false;
-  const dvec2 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
-  const dvec2 s = at[1] - at[0], t = at[2] - at[0];
-  const double sense = s.x * t.y - s.y * t.x > 0.0 ? 1.0 : -1.0;
-  for (int c = 0; c < 3; ++c) {
-    const dvec2 side = sense * (at[(c + 1) % 3] - at[c]), to = middle - at[c];
-    if (side.x * to.y - side.y * to.x + std::abs(side.x) * half.y + std::abs(side.y) * half.x < 0.0) return false;
-  }
-  return true;
-}
-
-bool FacingTriangle::contains(const dvec2& p) const {
-  int positive = 0, negative = 0;
-  for (int c = 0; c < 3; ++c) {
-    const dvec2 side = at[(c + 1) % 3] - at[c], to = p - at[c];
-    const double turn = side.x * to.y - side.y * to.x, rounding = tie * glm::dot(side, side);
-    positive += turn > rounding;
-    negative += turn < -rounding;
-  }
-  return positive == 0 || negative == 0;
-}
-
-namespace {
-
 class CellTrace {
  public:
   CellTrace(const TubeLook& look, std::span<const FacingTriangle> facing)
@@ -278,7 +219,7 @@ class CellTrace {
   // Whether the surface ends at a side of the facet in the box.
   bool ends_within(const FacingTriangle& f, const Bounds& box) const {
     for (int c = 0; c < 3; ++c)
-      if (look_.smooth->on_boundary(f.triangle, c) && !is_empty(part_within(box, f.at[c], f.at[(c + 1) % 3]))) return true;
+      if (look_.smooth->on_boundary(f.triangle, c) && !part_within(box, f.at[c], f.at[(c + 1) % 3]).empty()) return true;
     return false;
   }
 
@@ -290,7 +231,7 @@ class CellTrace {
       const dvec3 bend = look_.smooth->bend(f.triangle, c);
       most_bend = std::max(most_bend, glm::length(bend));
       const Range part = part_within(box, f.at[c], f.at[(c + 1) % 3]);
-      if (is_empty(part)) continue;
+      if (part.empty()) continue;
       const dvec3 start = mesh.vertices[mesh.triangles[f.triangle][c]],
                   along = mesh.vertices[mesh.triangles[f.triangle][(c + 1) % 3]] - start;
       for (const double x : {part.low, part.high})
@@ -303,21 +244,17 @@ class CellTrace {
     return on_piece && phase_off_ < look_.phase_tolerance;
   }
 
-  // The facet of the piece's own surface at a point of the cell.
-  std::uint32_t surface_at(const dvec2& at, std::span<const std::uint32_t> triangles) const {
-    const auto holds = [&](std::uint32_t t) { return facing_[t].region == base_->region && facing_[t].contains(at); };
-    const auto found = std::ranges::find_if(triangles, holds);
-    return found == triangles.end() ? base_->triangle : facing_[*found].triangle;
-  }
-
-  // The facet there of the face that `other` is a facet of, too.
-  std::uint32_t facet_at(const dvec2& at, std::uint32_t other, std::span<const std::uint32_t> triangles) const {
-    const std::vector<std::uint32_t>& patch_of = look_.faces.mesh().triangle_patch;
-    const auto holds = [&](std::uint32_t t) {
-      return patch_of[facing_[t].triangle] == patch_of[other] && facing_[t].contains(at);
-    };
+  // The facet at a point of the cell among those for which belongs(facet) holds; else `other`.
+  template <class Belongs>
+  std::uint32_t facet_at(const dvec2& at, std::span<const std::uint32_t> triangles, std::uint32_t other, Belongs belongs) const {
+    const auto holds = [&](std::uint32_t t) { return belongs(facing_[t]) && facing_[t].contains(at); };
     const auto found = std::ranges::find_if(triangles, holds);
     return found == triangles.end() ? other : facing_[*found].triangle;
+  }
+
+  // The facet of the piece's own surface there.
+  std::uint32_t surface_at(const dvec2& at, std::span<const std::uint32_t> triangles) const {
+    return facet_at(at, triangles, base_->triangle, [&](const FacingTriangle& f) { return f.region == base_->region; });
   }
 
   // The part of a piece within a box or a polygon.
@@ -346,13 +283,16 @@ class CellTrace {
   void facets(const Bounds& box, std::span<const std::uint32_t> triangles) {
     parts_.clear();
     phase_off_ = 0.0;
+    const std::vector<std::uint32_t>& patch_of = look_.faces.mesh().triangle_patch;
     visible_.within(incident_, rectangle(box), parts_);
     for (const VisiblePart& part : parts_) {
       if (through_sheets_ && through_sheets_->is_sheet(look_.faces.faces()[part.face].triangle))
         through_sheets_->go_through(sums_, part);
       if (region(part.face) == no_index) continue;
       const dvec2 at = middle(part.outline);
-      const std::uint32_t facet = facet_at(at, look_.faces.faces()[part.face].triangle, triangles);
+      const std::uint32_t first = look_.faces.faces()[part.face].triangle;
+      const auto of_face = [&](const FacingTriangle& f) { return patch_of[f.triangle] == patch_of[first]; };
+      const std::uint32_t facet = facet_at(at, triangles, first, of_face);
       add(piece_over(look_, at, facet), part.outline, [&](const dvec2&) { return facet; });
       if (through_sheets_ && elsewhere_) through_sheets_->screen(sums_, part);
     }
@@ -378,35 +318,7 @@ class CellTrace {
 
 }  // namespace
 
-CurvedLook::CurvedLook(const TubeLook& look) : look_(look) {
-  const TriangleMesh& mesh = look.faces.mesh();
-  std::vector<dvec2> projected;
-  for (const dvec3& r : mesh.vertices) projected.emplace_back(glm::dot(r, look.grid.u_hat), glm::dot(r, look.grid.v_hat));
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const double towards = glm::dot(mesh.patch_of(t).normal, look.grid.direction);
-    if (towards > -edge_on && (towards < edge_on || mesh.closed(t))) continue;
-    const Triangle& corners = mesh.triangles[t];
-    facing_.push_back({t, look.smooth->region(t), {projected[corners[0]], projected[corners[1]], projected[corners[2]]}});
-  }
-  sort_by_place();
-  fill_blocks();
-}
-
-// Of facets that would do as well the first one counts, in whatever order the mesh lists them.
-void CurvedLook::sort_by_place() {
-  const TriangleMesh& mesh = look_.faces.mesh();
-  const double step = tie * mesh.radius;
-  const auto place = [&](const FacingTriangle& f) {
-    const Triangle& corners = mesh.triangles[f.triangle];
-    const dvec3 sum = mesh.vertices[corners[0]] + mesh.vertices[corners[1]] + mesh.vertices[corners[2]];
-    const auto steps = [&](const dvec3& axis) { return std::llround(glm::dot(sum, axis) / step); };
-    return std::array{steps(look_.grid.u_hat), steps(look_.grid.v_hat), steps(look_.grid.direction)};
-  };
-  std::vector<std::pair<std::array<long long, 3>, FacingTriangle>> placed;
-  for (const FacingTriangle& f : facing_) placed.emplace_back(place(f), f);
-  std::ranges::stable_sort(placed, {}, [](const auto& entry) { return entry.first; });
-  for (std::size_t i = 0; i < placed.size(); ++i) facing_[i] = placed[i].second;
-}
+CurvedLook::CurvedLook(const TubeLook& look) : look_(look), facing_(facing_triangles(look)) { fill_blocks(); }
 
 void CurvedLook::fill_blocks() {
   const dvec2 low(look_.grid.u_begin, look_.grid.v_begin);

@@ -12,20 +12,9 @@
 
 #include "sbr/beams/tube_look.h"
 #include "sbr/beams/tube_sums.h"
-#include "sbr/launch/convex_polygon.h"
+#include "sbr/curved/facing_triangles.h"
 
 namespace raytube {
-
-/// A triangle turned to the radar, in launch coordinates.
-struct FacingTriangle {
-  std::uint32_t triangle;
-  std::uint32_t region;  // the curved surface it is part of; no_index: it is flat
-  std::array<dvec2, 3> at;
-
-  Bounds bounds() const;
-  bool reaches(const Bounds& box) const;
-  bool contains(const dvec2& p) const;
-};
 
 /// The first-bounce currents of the curved surfaces (look.smooth) of a look, block by block of the launch plane. A cell that one
 /// quadric describes to within a fraction of a radian, whole or up to the surface's own shadow boundary, is one tube. Others are
@@ -47,7 +36,6 @@ class CurvedLook {
     Bounds box;
     std::vector<std::uint32_t> triangles;  // in facing_
   };
-  void sort_by_place();
   void fill_blocks();
 
   const TubeLook& look_;

@@ -77,6 +77,26 @@ dvec2 zero_between(const dvec2& p, double positive, const dvec2& q, double negat
 
 }  // namespace
 
+Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
+  Range part{0.0, 1.0};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double way = b[axis] - a[axis];
+    if (way == 0.0) {
+      if (a[axis] < box.low[axis] || a[axis] > box.high[axis]) return {1.0, 0.0};
+      continue;
+    }
+    const double to_low = (box.low[axis] - a[axis]) / way, to_high = (box.high[axis] - a[axis]) / way;
+    part = {std::max(part.low, std::min(to_low, to_high)), std::min(part.high, std::max(to_low, to_high))};
+  }
+  return part;
+}
+
+ConvexPolygon rectangle(const Bounds& box) {
+  ConvexPolygon polygon;
+  set_corners(polygon, std::array{box.low, dvec2(box.high.x, box.low.y), box.high, dvec2(box.low.x, box.high.y)});
+  return polygon;
+}
+
 void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners) {
   polygon.resize(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) polygon[i].at = corners[i];

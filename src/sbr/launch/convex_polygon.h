@@ -39,6 +39,7 @@ struct Bounds {
 
 struct Range {
   double low, high;
+  bool empty() const { return low > high; }
 };
 
 inline dvec2 middle(const Bounds& box) { return 0.5 * (box.low + box.high); }
@@ -57,6 +58,12 @@ inline Range range(const ConvexPolygon& polygon, const Affine& f) {
   return r;
 }
 Range range(const Bounds& box, const Affine& f);
+
+/// The part [low, high] of the way from `a` to `b` that lies in the box.
+Range part_within(const Bounds& box, const dvec2& a, const dvec2& b);
+
+/// A box as a polygon.
+ConvexPolygon rectangle(const Bounds& box);
 
 /// The polygon of these corners, in whichever sense they run.
 void set_corners(ConvexPolygon& polygon, std::span<const dvec2> corners);
