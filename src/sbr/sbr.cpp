@@ -69,9 +69,7 @@ TubeSums total(const std::vector<TubeSums>& parts) {
   for (const TubeSums& part : parts) {
     sums.add(part);
     sums.error.resize(part.error.size());
-    for (std::size_t f = 0; f < sums.error.size(); ++f)
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sums.error[f][p][q] += part.error[f][p][q];
+    for (std::size_t f = 0; f < sums.error.size(); ++f) add(part.error[f], sums.error[f]);
   }
   return sums;
 }
@@ -98,7 +96,11 @@ class LookTracer {
 
   // What is traced by itself.
   std::vector<LookPart> parts() const {
-    std::vector<LookPart> parts = outside_parts();
+    std::vector<LookPart> parts{{options_.mode == TubeMode::uniform ? PartKind::uniform : PartKind::flat}};
+    if (options_.refines() && scene_.smooth) {
+      parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near});
+      if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces});
+    }
     if (any_solid(scene_.materials)) parts.push_back({PartKind::solid});
     return parts;
   }
@@ -113,15 +115,30 @@ class LookTracer {
     trace(part, Rungs(part.division.blocks), share, map);
   }
 
-  // Every block on its rung, unless it is known there.
+  // Every block on its rung, unless it is known there. Some frequencies at a time where there are sheets.
   void trace(LookPart& part, const Rungs& rungs, double share, CurrentMap* map) const {
+    const std::size_t count = wavenumbers_.size(), together = sheets_ && !map ? most_frequencies_with_sheets : count;
     for (const auto& [rung, blocks] : by_rung(part, rungs, map != nullptr)) {
       const LaunchGrid grid = grid_of(part, rung);
-      std::vector<TubeSums> traced = sums_of(part, blocks, grid, share, map);
+      std::vector<TubeSums> sums(blocks.size());
+      if (grid.cells() == 0) work_.progress.add(share);
+      for (std::size_t first = 0; first < count && grid.cells() > 0; first += together) {
+        SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
+        surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
+        std::optional<SphericalLook> spherical;
+        if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), surfaces, tolerance_);
+        const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
+        const TubeLook look = tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map);
+        std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, work_.progress, part_of_share);
+        if (first == 0)
+          sums = std::move(some);
+        else
+          for (std::size_t i = 0; i < blocks.size(); ++i) sums[i].append(std::move(some[i]));
+      }
       for (std::size_t i = 0; i < blocks.size(); ++i) {
-        traced[i].error = numerical_error(traced[i], grid, wavenumbers_, mesh().radius);
-        if (!part.blocks[blocks[i]].contains(rung)) part.rays += traced[i].rays;
-        part.blocks[blocks[i]].insert_or_assign(rung, std::move(traced[i]));
+        sums[i].error = numerical_error(sums[i], grid, wavenumbers_, mesh().radius);
+        if (!part.blocks[blocks[i]].contains(rung)) part.rays += sums[i].rays;
+        part.blocks[blocks[i]].insert_or_assign(rung, std::move(sums[i]));
       }
     }
   }
@@ -171,46 +188,6 @@ class LookTracer {
  private:
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
 
-  // Of conductors alone the number of bounces belongs to the model.
-  TubeSums with_truncated_tubes(TubeSums sums) const {
-    if (!scene_.materials.empty()) add_truncated_tubes(sums);
-    return sums;
-  }
-
-  // Of waves that have never been inside of a solid.
-  std::vector<LookPart> outside_parts() const {
-    if (options_.mode == TubeMode::uniform) return {{PartKind::uniform}};
-    std::vector<LookPart> parts{{PartKind::flat}};
-    if (!options_.refines() || !scene_.smooth) return parts;
-    parts.push_back({look_.far() ? PartKind::curved : PartKind::curved_near});
-    if (!convexity_.no_reflection) parts.push_back({PartKind::curved_bounces});
-    return parts;
-  }
-
-  // Of these blocks, some frequencies at a time where there are sheets.
-  std::vector<TubeSums> sums_of(const LookPart& part, const std::vector<std::size_t>& blocks, const LaunchGrid& grid,
-                                double share, CurrentMap* map) const {
-    if (grid.cells() == 0) work_.progress.add(share);
-    std::vector<TubeSums> all(blocks.size());
-    const std::size_t count = grid.cells() > 0 ? wavenumbers_.size() : 0,
-                      together = sheets_ && !map ? most_frequencies_with_sheets : wavenumbers_.size();
-    for (std::size_t first = 0; first < count; first += together) {
-      SpectralSurfaces surfaces{scene_.materials, wavenumbers_, first};
-      surfaces.wavenumbers = surfaces.wavenumbers.subspan(first, std::min(together, count - first));
-      std::optional<SphericalLook> spherical;
-      if (antennas_) spherical.emplace(*antennas_, incident_beam(grid, transmit_, {}), surfaces, tolerance_);
-      const double part_of_share = share * static_cast<double>(surfaces.wavenumbers.size()) / static_cast<double>(count);
-      const TubeLook look = tube_look(grid, surfaces, spherical ? &*spherical : nullptr, map);
-      std::vector<TubeSums> some = trace_blocks(part.kind, part.division, look, blocks, work_.progress, part_of_share);
-      for (std::size_t i = 0; i < blocks.size(); ++i)
-        if (first == 0)
-          all[i] = std::move(some[i]);
-        else
-          all[i].append(std::move(some[i]));
-    }
-    return all;
-  }
-
   // How many times the error of a part of all sums is at a row what that row may have.
   double excess_of(const TubeSums& part, const TubeSums& all, std::size_t row, const ChannelErrors& permitted) const {
     return excess(all.total(row), part.error[row], look_.transmit == look_.receive, tolerance_, permitted);
@@ -219,7 +196,8 @@ class LookTracer {
   // With a map its currents are those of its row.
   void settle_at(const std::vector<Rungs>& rungs, const std::vector<std::size_t>& rows, TubeSums sums,
                  std::vector<LookPart>& parts, TubeSums& result) const {
-    result.take(with_truncated_tubes(std::move(sums)), rows);
+    if (!scene_.materials.empty()) add_truncated_tubes(sums);  // of conductors alone the number of bounces belongs to the model
+    result.take(std::move(sums), rows);
     if (!work_.map || !options_.refines() || !std::ranges::binary_search(rows, work_.map->frequency_index())) return;
     for (std::size_t i = 0; i < parts.size(); ++i) trace(parts[i], rungs[i], 0.0, work_.map);
   }
