@@ -96,7 +96,7 @@ inline double frobenius_norm(const ScatteringMatrix& s) {
 /// Errors of the magnitudes |S_pq| [m]; indices as of ScatteringMatrix.
 using ChannelErrors = std::array<std::array<double, 2>, 2>;
 
-/// Of the two co-polar channels together, the mean square [m^2].
+/// Mean square of the errors of the two co-polar channels [m^2].
 inline double co_polar_square(const ChannelErrors& errors) {
   return 0.5 * (errors[0][0] * errors[0][0] + errors[1][1] * errors[1][1]);
 }

@@ -26,8 +26,8 @@ struct Chord {
   bool cut = false;
 };
 
-/// Of the points whose other coordinate is `row`, those with coordinate `axis` in [low, high]; of two parts the one towards the
-/// origin.
+/// Chord of the points whose other coordinate is `row`, those with coordinate `axis` in [low, high]; of two parts the one towards
+/// the origin.
 Chord chord(const Conic& conic, int axis, double row, double low, double high);
 
 /// The rows between row_low and row_high, in ascending order, where chord() is not a smooth function of the row: where the curve

@@ -5,7 +5,7 @@
 
 namespace raytube {
 
-/// Of the magnitudes that are added up: what wavenumbers between nodes may differ by. A hundredth of what the rules along the
+/// Share of the magnitudes added up by which wavenumbers between nodes may differ. A hundredth of what the rules along the
 /// rays leave (illuminated_faces.h).
 inline constexpr double node_error = 1e-7;
 

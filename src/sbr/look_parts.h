@@ -29,7 +29,7 @@ struct Division {
   std::size_t blocks = 1;
 };
 
-/// Of a look with all frequencies.
+/// How a part of a look with all its frequencies is traced.
 Division divide(PartKind kind, const TubeLook& look);
 
 /// Traces some blocks of a part, in rising order, and adds up the tiles of each in order, whoever computes them: one thread where

@@ -31,7 +31,7 @@ constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
 
-// Of the densest grid that can be launched, the share that is not exceeded for the tolerance's sake.
+// Share of the densest grid that can be launched which the tolerance alone does not exceed.
 constexpr double finest_grid = 0.9;
 
 // Followed together: each beam between sheets keeps its fields at all of them.
@@ -229,7 +229,7 @@ class LookTracer {
     return blocks;
   }
 
-  // Of cells the usual one; the few narrow tubes among polygons cost little, so they begin where they may do.
+  // Cells begin at the usual density; the few narrow tubes among polygons cost little, so they begin where they may do.
   double density_to_begin_with(const Division& division) const {
     const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
     if (!options_.refines() || !division.polygons || fixed) return first_density(options_);
@@ -318,7 +318,7 @@ double look_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
   return static_cast<double>(held) * tile_sum_bytes(bounces, frequencies);
 }
 
-// Of those that are refined both the old ones and the new.
+// Both the old blocks and the new ones of those that are refined.
 double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies) {
   return 2.0 * static_cast<double>(std::min(tiles, most_blocks)) * tile_sum_bytes(bounces, frequencies);
 }

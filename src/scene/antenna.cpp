@@ -31,7 +31,7 @@ dvec3 image(const dvec3& point, const dvec3& origin, const std::optional<double>
 
 }  // namespace
 
-// Of the triad of a mirrored direction radial and phi_hat are mirrored, theta_hat is turned round, too: what is up for an antenna
+// In the triad of a mirrored direction radial and phi_hat are mirrored, theta_hat is turned round, too: what is up for an antenna
 // is down for its image.
 Antenna::Antenna(const AntennaPosition& position, const dvec3& origin, const dvec3& aim, const AntennaPattern& pattern)
     : reference_(image(origin, origin, position.mirror)),

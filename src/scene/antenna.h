@@ -42,7 +42,8 @@ struct LinkBudget {
   double transmit_power_dbm = 0.0;  // into the transmitter's antenna
   double gain_dbi = 0.0;            // on the axis
 
-  /// Of antennas at these ranges and the apparent amplitude `s` [m], into a matched load: P_t G^2 wavelength^2 sigma /
+  /// Power received by antennas at these ranges with the apparent amplitude `s` [m], into a matched load: P_t G^2 wavelength^2
+  /// sigma /
   /// ((4 pi)^3 R_t^2 R_r^2), sigma = 4 pi |s|^2 (bistatic radar equation: Skolnik 2008, Radar Handbook, section 23.2). The
   /// pattern off the axis and what distances differ over the target are in `s`, whose unit fields and ranges are those at the
   /// origin.

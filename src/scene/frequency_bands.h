@@ -11,7 +11,7 @@
 
 namespace raytube {
 
-/// Of the middles of successive bands in which estimates are made: 24 in a decade.
+/// Ratio of the middles of successive bands in which estimates are made: 24 in a decade.
 inline constexpr double band_ratio = 1.1006941712522096;
 
 /// The number of the band of estimates that a frequency [Hz] is in.
@@ -52,7 +52,7 @@ inline double greatest_frequency(std::span<const double> frequencies) {
   return sampled_band(std::ranges::max(frequencies)).highest;
 }
 
-/// The same of wavenumbers [rad/m].
+/// The sampling wavenumber of wavenumbers [rad/m].
 inline double sampling_wavenumber(std::span<const double> wavenumbers) {
   return wavenumber(sampled_band(std::ranges::max(wavenumbers) * speed_of_light / (2.0 * pi)).middle);
 }

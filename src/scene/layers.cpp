@@ -11,7 +11,7 @@ struct Tangential {
   Complex e, h;
 };
 
-// Of the two kinds of wave the tangential impedance is mu / q (TE) and q / eps (TM), q = k_z / k; vacuum has q = cosine.
+// The tangential impedance of the two kinds of wave is mu / q (TE) and q / eps (TM), q = k_z / k; vacuum has q = cosine.
 enum class Wave { te, tm };
 
 // sqrt(eps mu - sin^2) with the sign of a wave that dies away; where none does, of one that takes energy downwards: against its

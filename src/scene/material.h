@@ -67,7 +67,7 @@ std::string material_text(std::span<const Material> materials, std::uint32_t mat
 
 /// The materials with the layers of these frequencies only, in their order.
 std::vector<Material> at_frequencies(std::vector<Material> materials, std::span<const std::size_t> frequencies);
-/// The same of one frequency.
+/// The materials at one frequency alone.
 std::vector<Material> at_frequency(std::vector<Material> materials, std::size_t frequency);
 
 /// What a smooth surface of this material does to a plane wave at one of the frequencies, met from the side that normals point

@@ -8,7 +8,7 @@
 
 namespace raytube {
 
-/// Of these points, those that lie farthest out in one of many directions: few, but as wide as all of them to 5 per cent.
+/// Those of the points that lie farthest out in one of many directions: few, but as wide as all of them to 5 per cent.
 std::vector<dvec3> outermost_points(std::span<const dvec3> points);
 
 /// Largest distance between two of the points [m].

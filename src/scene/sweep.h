@@ -21,7 +21,7 @@ struct Look {
   /// By which a turntable has turned the target about z, from +x towards +y, under antennas that stand [rad]. Directions count
   /// from the target and know of it; what the antennas are aimed at does not.
   double turn = 0.0;
-  /// Of a transmitter that is the mirror image of one in a plane across z, the z of that [m]: AntennaPosition.
+  /// Height z [m] of the plane that the transmitter is mirrored in, where it is the mirror image of one: AntennaPosition.
   std::optional<double> transmit_mirror{};
   std::optional<double> receive_mirror{};  // of the receiver
 
@@ -66,7 +66,7 @@ struct Sweep {
 
   /// How many rows the result has.
   std::size_t rows() const { return frequencies.size() * looks.size(); }
-  /// Of a look and a frequency, by their indices.
+  /// Row of a look and a frequency, by their indices.
   std::size_t row(std::size_t look, std::size_t frequency) const { return look * frequencies.size() + frequency; }
 };
 

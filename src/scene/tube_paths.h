@@ -64,11 +64,11 @@ void add_lit_by_ground(TubePaths& straight, TubePaths by_ground);
 struct FacetHits {
   std::vector<std::vector<std::uint32_t>> at_bounce;  // [bounce, from the first one][triangle]
 
-  /// Of each triangle, all bounces together.
+  /// Tubes that met each triangle at any bounce.
   std::vector<std::uint32_t> at_any_bounce() const;
 };
 
-/// Of a mesh with so many triangles; as many bounces as any of the tubes has.
+/// The tubes that met each of so many triangles, for as many bounces as any of the tubes has.
 FacetHits facet_hits(const TubePaths& tubes, std::size_t triangles);
 
 }  // namespace raytube

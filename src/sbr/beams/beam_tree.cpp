@@ -140,7 +140,7 @@ Spectrum BeamTree::screened_spectrum(const Node& node, std::uint32_t sheet) {
   return spectrum;
 }
 
-// Of a perfect conductor the wave that leaves says which one came.
+// For a perfect conductor the wave that leaves says which one came.
 SurfacesMet BeamTree::screened_surfaces(const Node& node, std::uint32_t sheet) const {
   const Beam& leaving = node.footprint.outgoing;
   const Patch &plane = mesh_.patches[node.patch], &screen = mesh_.patches[sheet];

@@ -37,7 +37,7 @@ class BeamTree {
   void next_bounce();
   /// The beam that goes on behind the surface that this one was reflected by; no_index if there is none.
   std::uint32_t through(std::uint32_t node) const { return at(node).through; }
-  /// Of a beam, of unit incident waves, at the frequency where it is largest.
+  /// Amplitude of a beam for unit incident waves, at the frequency where it is largest.
   double amplitude(std::uint32_t node) const { return at(node).amplitude; }
   /// False if so little of a wave is left that it ends.
   bool is_lit(std::uint32_t node) const { return at(node).amplitude > least_amplitude; }

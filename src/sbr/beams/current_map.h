@@ -53,7 +53,7 @@ class CurrentMap {
   void add(int bounce, const Footprint& footprint, const Bounds& tube, std::uint32_t triangle);
   /// The far field `s` of a tube too narrow to be cut, that set out at these launch coordinates and meets this triangle first.
   void add(int bounce, const dvec2& at, std::uint32_t triangle, const ScatteringMatrix& s);
-  /// The same of one that may have been reflected before.
+  /// The far field of a narrow tube that may have been reflected before.
   void add(int bounce, const TubeMiddle& middle, std::uint32_t triangle, const ScatteringMatrix& s);
 
   /// A tube of a spherical wave that meets this part of a face, with its far field; radiated(part) is that of a part of it.

@@ -16,7 +16,7 @@ Complex triangle_phase_mean(double x1, double x2, double x3);
 /// Integral of the footprint's phase factor e^{jk (phase + phase_u u + phase_v v)} over a polygon of the launch plane [m^2].
 Complex phase_integral(const Footprint& f, double k, const ConvexPolygon& polygon);
 
-/// The same at all wavenumbers of a band; of many, a few are computed and the others interpolated, to 1e-12 of the polygon's
+/// That integral at all wavenumbers of a band; of many, a few are computed and the others interpolated, to 1e-12 of the polygon's
 /// area.
 void phase_integrals(const Footprint& f, Band& band, const ConvexPolygon& polygon, std::vector<Complex>& integrals);
 

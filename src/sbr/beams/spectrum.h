@@ -37,7 +37,7 @@ struct SpectralSurfaces {
   std::span<const double> wavenumbers;    // [frequency] [rad/m]
   std::size_t first_frequency_index = 0;  // among the materials' frequencies, of the first of these wavenumbers
 
-  /// Of a material to a wave that comes in at this angle, `cosine` from the normal. no_index: a perfect conductor.
+  /// What a material does to a wave that comes in at this angle, `cosine` from the normal. no_index: a perfect conductor.
   SurfaceResponse response(std::uint32_t material, std::size_t frequency_index, double cosine, bool from_behind) const;
   /// Share of the power reflected by the smooth surface that roughness takes from it.
   double incoherent_share(std::uint32_t material, std::size_t frequency_index, double cosine) const;
@@ -57,7 +57,7 @@ struct Incidence {
   bool from_behind = false;           // the surface's own normal points the other way
   bool reflected = false;             // somewhere before: no longer the incident wave
 
-  /// Of the angle of incidence.
+  /// Cosine of the angle of incidence.
   double cosine() const { return -glm::dot(direction, normal); }
 };
 

@@ -28,7 +28,7 @@ class SphericalLook {
 
   const AntennaPair& antennas() const { return antennas_; }
 
-  /// The same look at one of its wavenumbers.
+  /// This look at one of its wavenumbers.
   SphericalLook at_frequency(std::size_t index) const;
 
   /// The wave of a beam at a point, as if all that it has met were perfect conductors.
@@ -53,11 +53,11 @@ class SphericalLook {
   /// lit.
   bool add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const;
 
-  /// The same of what is over a polygon of the facet's plane.
+  /// Adds S of the part of that surface over a polygon of the facet's plane.
   void add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const;
 
-  /// The same of bounce `bounce`, where the transmitter's wave comes through sheets, or the currents are received through them:
-  /// `met` has these, and last of its surfaces the facet's plane.
+  /// Adds S of such a part as that of bounce `bounce`, where the transmitter's wave comes through sheets, or the currents are
+  /// received through them: `met` has these, and last of its surfaces the facet's plane.
   void add(TubeSums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met, std::span<const dvec3> corners) const;
 
  private:
@@ -72,7 +72,7 @@ class SphericalLook {
     const std::array<std::array<double, 2>, 2>& weight_at(std::size_t /*frequency*/) const { return weight; }
     std::array<double, 2> incoherent_at(std::size_t /*frequency*/) const { return {}; }
   };
-  // The same on other than perfect conductors, complex and different at every frequency; null: nothing is lit.
+  // A current on other than perfect conductors, complex and different at every frequency; null: nothing is lit.
   struct SpectralCurrent {
     dvec3 point;
     double path;

@@ -38,9 +38,9 @@ struct ReceivedCurrents {
   std::vector<std::array<double, 2>> incoherent;  // [frequency] sigma per area of the surface; empty: nothing is rough
 };
 
-/// Of the currents on the last surface; `ray` as above, `received` what the receiving antenna would send to the point. Behind
-/// screens: what they are through all of these less what they are without the last one. Valid where the coefficients change
-/// little over the angle sqrt(wavelength / distance), in which a point's neighbours radiate together.
+/// What is received of the currents on the last surface; `ray` as above, `received` what the receiving antenna would send to the
+/// point. Behind screens: what they are through all of these less what they are without the last one. Valid where the
+/// coefficients change little over the angle sqrt(wavelength / distance), in which a point's neighbours radiate together.
 ReceivedCurrents received_currents(const SpectralSurfaces& surfaces, const SurfacesMet& met, AntennaRay& ray,
                                    const AntennaRay& received);
 

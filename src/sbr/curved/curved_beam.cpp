@@ -143,7 +143,7 @@ Complex stationary_value(const CurvedFootprint& f, double k, const dvec2& half) 
                     0.5 * k * glm::dot(f.slope, point) + (determinant > 0.0 ? sign * 0.5 * pi : 0.0));
 }
 
-// Of the exponent / k over the rectangle [m].
+// Range of the exponent / k over the rectangle [m].
 double path_range(const CurvedFootprint& f, const dvec2& size) {
   const dvec2 half = 0.5 * size;
   return std::abs(f.slope.x) * size.x + std::abs(f.slope.y) * size.y + std::abs(f.curvature[0][0]) * half.x * half.x +

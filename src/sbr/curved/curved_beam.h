@@ -25,8 +25,8 @@ struct CurvedBeam {
 
 /// The tube about the launch point `at`, as launched.
 CurvedBeam launched_beam(const LaunchGrid& grid, const SphericalBasis& transmit, const dvec2& at);
-/// The same from an antenna at a finite distance, the grid's own. Its field is that of unit cross-section: the antenna's, times
-/// the root of the tube's.
+/// A tube launched from an antenna at a finite distance, the grid's own. Its field is that of unit cross-section: the antenna's,
+/// times the root of the tube's.
 CurvedBeam launched_beam(const LaunchGrid& grid, const Antenna& transmit, const dvec2& at);
 
 /// The receiver as a point of a surface sees it.
@@ -36,7 +36,7 @@ struct Reception {
   double curvature = 0.0;  // 1 / distance; 0: at infinity [1/m]
 };
 
-/// Of an antenna at a finite distance.
+/// The reception by an antenna at a finite distance.
 Reception reception_at(const Antenna& receive, const dvec3& point);
 
 /// The currents of a tube on a surface: a quadratic phase over the launch coordinates counted from the tube's middle.
@@ -63,7 +63,7 @@ CurvedFootprint curved_footprint(const CurvedBeam& beam, const LocalSurface& sur
 /// [rad/m], which is that of `frequency_index` in its spectrum.
 void add_far_field(ScatteringMatrix& sum, const CurvedFootprint& f, std::size_t frequency_index, double k, const dvec2& size);
 
-/// The same at all wavenumbers of a band; of many, on perfect conductors, a few are computed and the others interpolated.
+/// Adds S at all wavenumbers of a band; of many, on perfect conductors, a few are computed and the others interpolated.
 void add_far_fields(std::vector<ScatteringMatrix>& sums, const CurvedFootprint& f, Band& band, const dvec2& size);
 
 }  // namespace raytube

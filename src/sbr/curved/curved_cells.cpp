@@ -123,7 +123,7 @@ class CellTrace {
     if (look_.map) look_.map->add(bounce, at, surface_at(at, triangles), part[look_.map->frequency_index()]);
   }
 
-  // Of the piece's surface over these facets [m].
+  // Height to which the piece's surface rises over these facets [m].
   double rise(std::span<const std::uint32_t> triangles) const {
     double most = 0.0;
     for (const std::uint32_t t : triangles)

@@ -82,7 +82,7 @@ class CurvedTubes {
     CurvedFootprint footprint{};
   };
 
-  // Of unit incident waves; of conductors alone the number of bounces belongs to the model.
+  // Amplitude for unit incident waves; of conductors alone the number of bounces belongs to the model.
   double amplitude(const CurvedBeam& beam, double unit) const {
     return look_.sheets ? raytube::amplitude(beam.spectrum) / unit : 1.0;
   }

@@ -11,7 +11,7 @@ namespace raytube {
 
 namespace {
 
-// Of a facet that cells divide: one seen at a flatter angle is in one of them as a whole.
+// |facing| of a facet below which no cell divides it: a facet seen at a flatter angle is in one cell as a whole.
 constexpr double least_facing = 1e-6;
 
 Patch plane_of(const BentFacet& facet) {
@@ -132,7 +132,7 @@ namespace {
 
 bool is_curved(const TubeLook& look, std::uint32_t triangle) { return look.smooth->region(triangle) != no_index; }
 
-// Of what the antenna sees of some faces: where the receiver has curved ones through sheets, and what lies behind sheets.
+// Adds what the receiver has through sheets of the curved faces that the antenna sees, and what lies behind the sheets it sees.
 void add_with_sheets(const TubeLook& look, std::span<const VisiblePart> parts, BeamVisibility& visible, TubeSums& sums) {
   CurvedThroughSheets curved(look, visible);
   const bool elsewhere = looks_from_elsewhere(look);

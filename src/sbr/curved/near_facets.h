@@ -22,8 +22,8 @@ class NearFacets {
   void light(std::uint32_t triangle);
   /// The part of a facet that the antenna sees.
   void light(std::uint32_t triangle, const ConvexPolygon& part);
-  /// The same of a wave behind sheets, or received through some, as currents of bounce `bounce`: `met` has these, and last of its
-  /// surfaces the facet.
+  /// A part lit by a wave behind sheets, or received through some, as currents of bounce `bounce`: `met` has these, and last of
+  /// its surfaces the facet.
   void light(TubeSums& to, int bounce, const SurfacesMet& met, std::uint32_t triangle, const ConvexPolygon& part);
 
   /// A facet turned away from the antenna part of whose surface is not, with nothing in between but that surface.
@@ -52,7 +52,7 @@ class NearFacets {
 /// surfaces face the transmitter; each triangle that is lit counts as a tube.
 TubeSums light_convex_facets(const TubeLook& look, std::uint32_t begin, std::uint32_t end);
 
-/// The same of any body over the faces [begin, end), where the transmitter sees the facets.
+/// What they excite on the curved surfaces of any body over the faces [begin, end), where the transmitter sees the facets.
 TubeSums light_visible_facets(const TubeLook& look, std::uint32_t begin, std::uint32_t end);
 
 }  // namespace raytube

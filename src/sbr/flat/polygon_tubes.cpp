@@ -31,7 +31,8 @@ struct PolygonTube {
   double stands_for = 1.0;   // as many narrow tubes, with its twin
 };
 
-// Of tubes smaller than this share of a cell, whose errors hardly count, as many have a twin as they have area.
+// Share of a cell above which every narrow tube has a twin. The errors of smaller ones hardly count: they have twins in
+// proportion to their area.
 constexpr double always_with_twin = 0.125;
 
 // Half of the area that is seen from the middle lies nearer to it, half beyond.

@@ -49,7 +49,7 @@ struct Extent {
   Interval u, v, depth;
 };
 
-// Of the target in the perspective of the grid's axes.
+// Extent of the target in the perspective of the grid's axes.
 Extent extent_of(const TriangleMesh& mesh, const LaunchGrid& grid) {
   Extent extent;
   for (const dvec3& vertex : mesh.vertices) {

@@ -7,7 +7,7 @@ namespace raytube {
 
 namespace {
 
-// Of a wave that dies away, or goes away.
+// The root that belongs to a wave which dies away, or goes away, from the boundary.
 Complex normal_slowness(const Medium& medium, double tangential) {
   const Complex q = std::sqrt(medium.permittivity * medium.permeability - tangential * tangential);
   return q.imag() > 0.0 || (q.imag() == 0.0 && medium.permeability.real() < 0.0) ? -q : q;

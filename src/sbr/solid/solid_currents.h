@@ -37,7 +37,7 @@ class SolidCurrents {
 
   /// What leaves a solid, as currents on its outside (Love's principle, scene/material.h).
   void add_leaving(const TubePiece& piece, const Rays& rays, const Hits& hits, const Complex& spreading, int bounce);
-  /// Of the wave that meets a surface from outside, and of what that reflects.
+  /// Adds the currents of the wave that meets a surface from outside, and of what that reflects.
   void add_meeting(const TubePiece& piece, const Hits& hits, const Complex& spreading, int bounce);
 
  private:

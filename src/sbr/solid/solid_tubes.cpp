@@ -123,7 +123,7 @@ class SolidTubes {
     return wavenumbers.subspan(frequencies_.begin, frequencies_.end - frequencies_.begin);
   }
 
-  // Of a convex body only what meets a solid first can enter one.
+  // Nothing that a convex body reflects meets it again: only waves that meet a solid first can enter one.
   bool begins_at(std::uint32_t triangle) const {
     const Patch& plane = mesh().patch_of(triangle);
     if (mesh().closed(triangle) && glm::dot(plane.normal, look_.grid.direction) >= 0.0) return false;
@@ -261,7 +261,7 @@ class SolidTubes {
     return false;
   }
 
-  // Of a narrow piece, at its own corners.
+  // Whether the rays of a narrow piece diverge too much, at its own corners.
   static bool is_too_wide(const TubePiece& piece, const Rays& rays) {
     for (std::size_t i = 0; i < 3; ++i)
       if (glm::length(rays[(i + 1) % 3].ray.direction - rays[i].ray.direction) > most_spread * piece.probe) return true;

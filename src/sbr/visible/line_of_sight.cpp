@@ -28,7 +28,7 @@ Beam line_of_sight(const LineOfSightSheets& sheets, const dvec3& base, const Pat
   return beam;
 }
 
-// Of a part of the plane where such a wave begins: no nearer to the receiver than any of it.
+// Depth that no point of a part of the plane where such a wave begins exceeds: no nearer to the receiver than any of it.
 double farthest(const Beam& line, const Patch& plane, const ConvexPolygon& region) {
   if (line.spherical()) return range(region, depth_of(line, plane)).low;
   const dvec2 slope{glm::dot(line.direction, line.along_u), glm::dot(line.direction, line.along_v)};
@@ -74,7 +74,7 @@ class PlaneView {
   Affine u_, v_, w_;
 };
 
-// The same points of a plane as another wave has them.
+// A polygon of points of a plane in the launch coordinates of another wave.
 ConvexPolygon seen_by(const Beam& other, const Beam& beam, const Patch& plane, const ConvexPolygon& polygon) {
   const PlaneView there(other, beam, plane), back(beam, other, plane);
   ConvexPolygon result;
@@ -169,7 +169,7 @@ void PolygonLineOfSight::follow(std::uint32_t node, std::uint32_t patch, const d
   }
 }
 
-// Of a footprint that the receiver has edge-on.
+// Follows the line of sight from the middle of a footprint that the receiver has edge-on.
 void PolygonLineOfSight::follow_from_middle(std::uint32_t node, const Beam& leaving, const ConvexPolygon& outline) {
   RayLineOfSight line(sheets_, tracer_);
   line.add(0, node, tube_ray(leaving, middle(outline), &beams_.patch(node), no_index).origin, beams_.patch_index(node));

@@ -30,7 +30,7 @@ class LineOfSightSheets {
   /// False if none can stand between the receiver and what lies in this box, no nearer to the receiver than this.
   bool may_cover(const Bounds& box, double farthest) const { return farthest < nearest_ && box.overlaps(box_, 0.0); }
   bool may_cover(const dvec3& r) const { return may_cover({across(r), across(r)}, depth(r)); }
-  /// The same of all these points together.
+  /// Whether sheets may stand before any of these points.
   bool may_cover_any(std::span<const dvec3> points) const;
 
  private:

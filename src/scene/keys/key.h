@@ -24,7 +24,8 @@ inline constexpr double farthest = 1e12;
 inline constexpr Limits at_least_zero{.least = 0.0};
 inline constexpr Limits a_range{.least = 0.0, .most = farthest, .above = true};  // [m]
 inline constexpr Limits above_zero{.least = 0.0, .above = true};
-/// Of tubes or cells of an image per wavelength: what is sampled more coarsely than in a thousand wavelengths is not sampled.
+/// Limits of tubes or of cells of an image per wavelength: what is sampled more coarsely than in a thousand wavelengths is not
+/// sampled.
 inline constexpr Limits a_density{.least = 1e-3};
 
 struct CaseKey {
