@@ -4,7 +4,7 @@
 
 #include "bodies.h"
 #include "closed_forms.h"
-#include "sbr/random_tubes.h"
+#include "monte_carlo.h"
 #include "shapes.h"
 #include "smooth_forms.h"
 #include "studies.h"
@@ -135,16 +135,16 @@ Method clipped_method(const std::string& name, const Body& body, bool curved, co
 }
 
 Outcome by_chance(const Body& body, std::uint64_t launched, std::uint64_t seed, int threads) {
-  std::vector<RandomSums> looks(body.sweep.looks.size());
+  std::vector<RaySums> looks(body.sweep.looks.size());
   const auto start = Clock::now();
   on_threads(threads, [&] {
     tbb::parallel_for(std::size_t{0}, looks.size(), [&](std::size_t i) {
       looks[i] =
-          random_tubes(body.target.tracer, body.sweep.looks[i], body.sweep.frequencies, TubeOptions(), {launched, seed, i});
+          ray_sums(body.target.tracer, body.sweep.looks[i], body.sweep.frequencies, TubeOptions().max_bounces, launched, seed, i);
     });
   });
   Outcome outcome{{}, 0, seconds_since(start)};
-  for (const RandomSums& look : looks) {
+  for (const RaySums& look : looks) {
     outcome.scattering.push_back(look.scattering.front());
     outcome.rays += look.rays;
   }

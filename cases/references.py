@@ -10,7 +10,8 @@ NAME is a file's path from this folder without `.csv` (`dihedral/reference`); de
     reference*.csv    computed by other means: says whether a result is right. cases/make_cases.py writes it, `update` leaves it alone
     golden*.csv       a result of raytube itself: says that nothing has changed. `update` writes it
 The head of each says where it comes from, what to run, which table to look at, how to compare it (options of `raytube compare`, or `exact`
-for the columns it has), and why with that tolerance. To add a golden file, write its head and `update` it."""
+for the columns it has), and why with that tolerance; `program`, where it is there, is the one to run in raytube's place, which lies beside
+it. To add a golden file, write its head and `update` it."""
 import argparse
 import csv
 import functools
@@ -60,10 +61,17 @@ def check_request(chosen, program):
         missing = [key for key in KEYS if key not in head_of(os.path.join(HERE, name + ".csv"))]
         if missing:
             refuse(f"cases/{name}.csv: its head lacks `# {missing[0]}: ...`; add the line")
+        beside = program_of(program, head_of(os.path.join(HERE, name + ".csv")))
+        if not os.access(beside, os.X_OK):
+            refuse(f"{beside}: no such program; build it, or name other results than {name}")
+
+
+def program_of(program, head):
+    return os.path.join(os.path.dirname(program), head["program"]) if "program" in head else program
 
 
 def run(program, folder, head, output, options=()):
-    command = [program, *shlex.split(head["run"]), "-o", output, *options]
+    command = [program_of(program, head), *shlex.split(head["run"]), "-o", output, *options]
     if command[1] == "run":
         command += ["--quiet", "--set", "output.plots=false"]
     subprocess.run(command, cwd=folder, check=True, stdout=subprocess.DEVNULL)
@@ -151,10 +159,11 @@ def treat_bytes(name, program):
     path = os.path.join(HERE, name + ".csv")
     head = head_of(path)
     found = {}
-    for instruction_set in instruction_sets(program):
+    for instruction_set in instruction_sets(program) if "program" not in head else [None]:  # raytube alone chooses
         for threads in ("1", "2", "7"):
             with tempfile.TemporaryDirectory() as output:
-                run(program, os.path.dirname(path), head, output, ("--instruction-set", instruction_set, "--threads", threads))
+                chosen = ("--instruction-set", instruction_set) if instruction_set else ()
+                run(program, os.path.dirname(path), head, output, (*chosen, "--threads", threads))
                 found.setdefault(bytes_of(os.path.join(output, head["table"])), []).append(f"{instruction_set} x {threads}")
     print(f"{name}: " + ("the same bytes" if len(found) == 1 else "DIFFERS: " + "; ".join(map(str, found.values()))), flush=True)
     return len(found) == 1

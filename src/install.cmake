@@ -8,7 +8,7 @@ endif()
 install(TARGETS raytube_solver EXPORT raytubeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set(public_headers
     core/complex_vector.h core/error.h core/field.h core/progress.h core/work_team.h
-    scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/random_result.h scene/tube_paths.h scene/wedge_line.h
+    scene/antenna.h scene/image.h scene/layers.h scene/look_plan.h scene/material.h scene/tube_paths.h scene/wedge_line.h
     scene/results.h scene/sweep.h
     mesh/load.h mesh/model/disjoint_sets.h mesh/model/edge_table.h mesh/model/face_tree.h mesh/model/faces.h mesh/model/geometry.h mesh/model/made_once.h mesh/model/part_names.h
     mesh/model/polygon_soup.h mesh/model/triangle_mesh.h mesh/model/triangle_rows.h mesh/read/read_mesh.h mesh/repair/build_mesh.h
@@ -17,7 +17,7 @@ set(public_headers
     mesh/trace/ray.h mesh/trace/tracer.h
     sbr/replay.h sbr/sbr.h sbr/tube_paths.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/shadow/wedge_lines.h utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
-    scene/options.h scene/bounce_names.h scene/contribution.h plan/mechanism.h solve/image.h plan/ground_paths.h plan/plan.h solve/random.h solve/solve.h plan/target.h)
+    scene/options.h scene/bounce_names.h scene/contribution.h plan/mechanism.h solve/image.h plan/ground_paths.h plan/plan.h solve/solve.h plan/target.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/${room})

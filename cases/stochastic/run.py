@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Random beside deterministic tubes, S against time on one plot, and an image: run.py [PROGRAM]     (default build/raytube; over a minute)
+"""Random rays beside tubes, S against time on one plot, and an image: run.py [PROGRAM]     (default build/raytube; over a minute)
+
+Random rays are those of bench/monte_carlo, `monte_carlo` beside PROGRAM, which is built first where it is missing.
 
 Writes out/error_time.csv and out/image/compare.csv and, with gnuplot, their pictures beside this file. Standard library only."""
 import cmath
@@ -7,6 +9,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -18,7 +21,7 @@ sys.path[:0] = [str(ROOT / "bench"), str(ROOT / "cases")]
 from make_cases import C0, dihedral_po  # noqa: E402
 from report_plots import STYLES, block, decades  # noqa: E402
 
-RANDOM, UNIFORM, ADAPTIVE = "random tubes", "uniform tubes", "adaptive tubes (default)"
+RANDOM, UNIFORM, ADAPTIVE = "random rays", "uniform tubes", "adaptive tubes (default)"
 PASSES = 3  # each setting this many times, in turn; the shortest time counts
 RUNS = 10  # random runs whose errors make one point
 EXACT = 1e-9  # rounding and the truth's own digits
@@ -66,13 +69,32 @@ def deterministic(program, case, options, truth, folder):
     return 2 * manifest(folder)["time"]["solve_s"] / len(s), norm([a - b for a, b in zip(s, truth)]) / norm(truth)
 
 
+def baseline_of(program):
+    """The program of the Monte Carlo baseline, beside raytube."""
+    baseline = program.parent / "monte_carlo"
+    if not baseline.exists():
+        subprocess.run(["cmake", "--build", program.parent, "--target", "monte_carlo"], check=True, stdout=subprocess.DEVNULL)
+    return baseline
+
+
+def drawn(program, case, options, folder):
+    """Draws the case on one thread; returns its folder."""
+    command = [baseline_of(program), HERE / f"{case}.toml", "-o", folder, "--threads", "1", *options]
+    subprocess.run([*map(str, command)], check=True, stdout=subprocess.DEVNULL)
+    return folder
+
+
+def seconds_of_a_run(folder):
+    return float(re.search(r"# run_s = (\S+):", (folder / "random.csv").read_text())[1])
+
+
 def by_chance(program, case, samples, truth, folder):
     """The same of a single run, rms over the runs: the square is that of the mean's error and (R - 1) / R of the spread's."""
-    run(program, case, ["--launch", "random", "--samples", str(samples), "--repeat", str(RUNS)], folder)
+    folder = drawn(program, case, ["--samples", str(samples), "--repeat", str(RUNS)], folder / "drawn")
     rows = [row for row in table(folder / "random.csv") if row["channel"] in ("vv", "hh")]
     bias = norm([complex(float(row["re_mean"]), float(row["im_mean"])) - t for row, t in zip(rows, truth)])
     spread = norm([float(row["spread_m"]) for row in rows])
-    return 2 * manifest(folder)["launch"]["run_s"] / len(rows), math.hypot(bias, math.sqrt(1 - 1 / RUNS) * spread) / norm(truth)
+    return 2 * seconds_of_a_run(folder) / len(rows), math.hypot(bias, math.sqrt(1 - 1 / RUNS) * spread) / norm(truth)
 
 
 def sets(**keys):
@@ -80,7 +102,7 @@ def sets(**keys):
 
 
 def truths(program, case, folder):
-    """What a case tends to: of its surface, in closed form, and of the facets that random and uniform tubes meet."""
+    """What a case tends to: of its surface, in closed form, and of the facets that random rays and uniform tubes meet."""
     if case == "dihedral":
         exact = [s for phi in (20.3, 31.7, 47.3, 69.1) for s in dihedral_po(0.15, 0.15, 94e9, math.radians(phi))]
         return exact, exact
@@ -161,9 +183,9 @@ def image_of(program, rows, file):
     return file
 
 
-def rows_of(program, folder, options):
+def rows_of(program, folder, compute=run, options=()):
     """The table of the aperture; out of its folder, so that nothing but its rows is known."""
-    run(program, "sphere", sets(**APERTURE) + options, folder)
+    compute(program, "sphere", [*sets(**APERTURE), *options], folder)
     return (folder / "rcs.csv").rename(folder.parent / f"{folder.name}.csv")
 
 
@@ -177,13 +199,13 @@ def image_error(program, image, reference, folder):
 
 def image_study(program, folder, out):
     """The sphere's image by adaptive tubes, beside its closed form and beside random images: ours, [(samples, theirs), ...]"""
-    ours = rows_of(program, folder / "adaptive", [])
+    ours = rows_of(program, folder / "adaptive")
     with_closed_form(ours, folder / "exact.csv")
     image, exact = (image_of(program, rows, rows.with_suffix(".nc")) for rows in (ours, folder / "exact.csv"))
     points = []
     for samples in IMAGE_SAMPLES:  # the mean of two runs of half as many
-        options = ["--launch", "random", "--samples", str(samples // 2), "--repeat", "2"]
-        by_chance_rows = rows_of(program, folder / f"random_{samples}", options)
+        options = ["--samples", str(samples // 2), "--repeat", "2"]
+        by_chance_rows = rows_of(program, folder / f"random_{samples}", drawn, options)
         random_image = image_of(program, by_chance_rows, by_chance_rows.with_suffix(".nc"))
         points.append((samples, *image_error(program, random_image, image, out)))
     return image_error(program, image, exact, folder / "ours")[0], points
@@ -194,7 +216,7 @@ def show_image(ours, points):
     print(f"\nimage of the sphere, 21 frequencies by 21 looks\n  {'':<26}{'samples a look':>16}{'rel. error':>12}{'rms dB':>9}{'SSIM':>8}")
     for samples, error, row in points:
         print(f"  {RANDOM:<26}{samples:>16g}{error:>12.2e}{float(row['rms_db']):>9.2f}{float(row['ssim']):>8.3f}")
-    print(f"  {ADAPTIVE:<26}{'':>16}{ours:>12.2e}\n  random tubes would need {samples_for(law, ours)} samples a look for this error of the image")
+    print(f"  {ADAPTIVE:<26}{'':>16}{ours:>12.2e}\n  random rays would need {samples_for(law, ours)} samples a look for this error of the image")
 
 
 def panel(index, case, methods):

@@ -86,8 +86,8 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
     }
     const PlannedCase planned(asked, built->target, built->report, built->outermost, count, parts);
     Manifest manifest = described_inputs(asked, built->report, mesh_sha256);
-    const SolvedCase solved = solve_case(planned, manifest, progress, {}, ranks ? &ranks->team() : nullptr);
-    StoredResult result = stored(asked.sweep, solved.result);
+    const SweepResult solved = solve_case(planned, manifest, progress, {}, ranks ? &ranks->team() : nullptr);
+    StoredResult result = stored(asked.sweep, solved);
     result.attributes = attributes_of(manifest);
     return result;
   });
@@ -96,7 +96,7 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
 Json Job::check(int threads) const {
   const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
   Json data = check_data(asked, built->report, plan);
-  check_memory(plan, asked, nullptr);
+  check_memory(plan, asked);
   data.update(time_data(plan, predicted_time(plan)));
   return data;
 }

@@ -223,7 +223,7 @@ Json launch_grid_json(const SolvePlan& plan) {
 Json memory_json(const SolvePlan& plan, const Case& c) {
   SolvePlan with_parts = plan;
   with_parts.keep_parts = true;
-  Json json = {{"with_parts_bytes", memory_of_run(with_parts, c, nullptr)}, {"available_bytes", memory_to_be_had()}};
+  Json json = {{"with_parts_bytes", memory_of_run(with_parts, c)}, {"available_bytes", memory_to_be_had()}};
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
     json["between_sheets_bytes"] = plan.threads * tubes_between_sheets_bytes(c.sweep.frequencies.size());
   return json;
@@ -251,7 +251,7 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) 
   data["looks_computed"] = plan.looks.computed.size();
   data["launch_grid"] = launch_grid_json(plan);
   if (plan.rays()) data["ray_range_m"] = plan.ray_range;
-  data["memory_bytes"] = memory_of_run(plan, c, nullptr);
+  data["memory_bytes"] = memory_of_run(plan, c);
   data["memory"] = memory_json(plan, c);
   return data;
 }

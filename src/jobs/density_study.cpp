@@ -59,7 +59,7 @@ void check_study(const Case& c, const Target& target, int threads, const std::ve
   const double kept = static_cast<double>(densities.size() * c.sweep.rows() * sizeof(ScatteringMatrix));
   Case study = c;
   study.image_looks.clear();
-  check_memory(plan, study, nullptr, kept);
+  check_memory(plan, study, kept);
 }
 
 void study_densities(const Case& c, const Target& target, int threads, std::span<const double> densities,

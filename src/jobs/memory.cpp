@@ -96,25 +96,18 @@ double image_bytes(const SolvePlan& plan, const Case& c) {
   return most;
 }
 
-// Every run's rows, the looks they are made from, and the spread of each row.
-double random_bytes(const Case& c, const RandomOptions& random) {
-  return static_cast<double>(c.sweep.rows()) *
-         (2.0 * random.runs * sizeof(ScatteringMatrix) + 3.0 * sizeof(ChannelErrors) + 400.0);
-}
-
 struct Need {
   double rows, image, sums, others;
   double total() const { return rows + image + sums + others; }
 };
 
-Need need_of(const SolvePlan& plan, const Case& c, const RandomOptions* random) {
+Need need_of(const SolvePlan& plan, const Case& c) {
   const MemoryEstimate solve = estimate_memory(plan);
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
   const double stored =
       c.netcdf ? stored_bytes_per_row(plan.tell_parts ? plan.columns() : 0) * static_cast<double>(c.sweep.rows()) : 0.0;
-  return {solve.rows + stored + (random ? random_bytes(c, *random) : 0.0), image_bytes(plan, c),
-          solve.sums + plan.threads * bytes_per_thread,
+  return {solve.rows + stored, image_bytes(plan, c), solve.sums + plan.threads * bytes_per_thread,
           held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};
 }
 
@@ -149,12 +142,10 @@ std::string memory_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
-double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* random) {
-  return need_of(plan, c, random).total();
-}
+double memory_of_run(const SolvePlan& plan, const Case& c) { return need_of(plan, c).total(); }
 
 double memory_of_helper(const SolvePlan& plan, const Case& c) {
-  const Need need = need_of(plan, c, nullptr);
+  const Need need = need_of(plan, c);
   return need.sums + need.others;
 }
 
@@ -174,8 +165,8 @@ void require_memory(double bytes, const std::string& place, const std::string& w
                                  memory_text(available), remedy));
 }
 
-void check_memory(const SolvePlan& plan, const Case& c, const RandomOptions* random, double kept) {
-  Need need = need_of(plan, c, random);
+void check_memory(const SolvePlan& plan, const Case& c, double kept) {
+  Need need = need_of(plan, c);
   need.rows += kept;
   require_memory(need.total(), c.file.string(), "the run", remedy(need, c, plan, memory_to_be_had()));
 }

@@ -5,12 +5,11 @@
 
 #include "case/data/case.h"
 #include "plan/plan.h"
-#include "scene/random_result.h"
 
 namespace raytube {
 
 /// Bytes that a run of this case is going to take at most, with what the program holds now.
-double memory_of_run(const SolvePlan& plan, const Case& c, const RandomOptions* random);
+double memory_of_run(const SolvePlan& plan, const Case& c);
 
 /// The same of a process that computes looks for another one, which has the rows.
 double memory_of_helper(const SolvePlan& plan, const Case& c);
@@ -23,7 +22,7 @@ std::string memory_text(double bytes);
 
 /// Throws InputError with the estimate and what would fit if there is not so much memory; `kept` bytes beside what a run takes
 /// grow with its rows.
-void check_memory(const SolvePlan& plan, const Case& c, const RandomOptions* random, double kept = 0.0);
+void check_memory(const SolvePlan& plan, const Case& c, double kept = 0.0);
 
 /// Throws InputError for any other work of so many bytes if they are not to be had: "PLACE: WHAT would take ...; REMEDY".
 void require_memory(double bytes, const std::string& place, const std::string& what, const std::string& remedy);

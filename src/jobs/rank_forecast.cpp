@@ -19,9 +19,7 @@ double seconds_of(const SolvePlan& plan, const TimePrediction& time, int ranks) 
 
 }  // namespace
 
-RankMemory memory_of_ranks(const SolvePlan& plan, const Case& c) {
-  return {memory_of_run(plan, c, nullptr), memory_of_helper(plan, c)};
-}
+RankMemory memory_of_ranks(const SolvePlan& plan, const Case& c) { return {memory_of_run(plan, c), memory_of_helper(plan, c)}; }
 
 Json ranks_data(const SolvePlan& plan, const RankMemory& memory, const TimePrediction& time, int ranks) {
   return {{"ranks",

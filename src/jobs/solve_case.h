@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "mesh/model/triangle_mesh.h"
 #include "output/files/manifest.h"
 #include "plan/plan.h"
-#include "scene/random_result.h"
+#include "scene/results.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -20,24 +19,18 @@ namespace raytube {
 struct PlannedCase {
   const Case& c;
   const MeshReport& report;
-  std::optional<RandomOptions> random;  // random tubes instead
   SolvePlan plan;
   std::vector<std::string> warnings;  // of the case and its plan
 
   /// `outermost`: points of the target as wide as all of it. Throws InputError for a case that cannot be solved, also for want of
   /// memory.
   PlannedCase(const Case& asked, const Target& target, const MeshReport& mesh_report, std::span<const dvec3> outermost,
-              int threads, bool keep_parts, const std::optional<RandomOptions>& random_tubes = {});
-};
-
-struct SolvedCase {
-  SweepResult result;  // of random tubes their mean
-  std::optional<RandomResult> by_chance;
+              int threads, bool keep_parts);
 };
 
 /// Solves it, with a team beside others, and completes the manifest, except for times. Throws Interrupted once `progress` is
 /// false.
-SolvedCase solve_case(const PlannedCase& planned, Manifest& manifest, const std::function<bool(double)>& progress,
-                      const KeptLooks& kept, WorkTeam* team);
+SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std::function<bool(double)>& progress,
+                       const KeptLooks& kept, WorkTeam* team);
 
 }  // namespace raytube

@@ -1,4 +1,4 @@
-// What a solve will do, settled once before it begins: run, check, images, the random baseline and the memory estimate read it.
+// What a solve will do, settled once before it begins: run, check, images and the memory estimate read it.
 #pragma once
 
 #include <memory>

@@ -80,7 +80,7 @@ void check_case(const CheckRequest& asked) {
   };
   add(check_data(c, loaded.report, plan));
   if (!asked.wedge_list.empty()) write_wedges(asked.wedge_list, plan);
-  check_memory(plan, c, nullptr);  // as a run would
+  check_memory(plan, c);  // as a run would
   const RankMemory memory = memory_of_ranks(plan, c);
   const TimePrediction time = predicted_time(plan);
   add(time_data(plan, time));

@@ -48,6 +48,7 @@ std::string unknown_word(const CLI::App& command, const std::vector<std::string>
   for (const CLI::Option* each : command.get_options())
     for (const std::string& name : each->get_lnames()) known.push_back("--" + name);
   const std::string name = option->substr(0, option->find('='));
+  if (name == "--launch") return "--launch random is gone; the Monte Carlo baseline is bench/monte_carlo now (cases/stochastic)";
   const std::string_view nearest = nearest_name(name, known);
   return fmt::format("unknown option {}{}", quotable(name), nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
 }

@@ -10,7 +10,6 @@
 #include "jobs/solvable.h"
 #include "mesh/model/mesh_bytes.h"
 #include "ranks/ranks.h"
-#include "solve/random.h"
 #include "solve/solve.h"
 
 namespace raytube {
@@ -49,15 +48,9 @@ void help_leader(const Work& work, const CaseInput& input, const JournalIdentity
   work.ranks->end();
 }
 
-JournalIdentity asked_of(const RunOptions& run) {
-  if (!run.random) return {};
-  return {{"--launch random", fmt::format("{} {} {}", run.random->samples, run.random->seed, run.random->runs)}};
-}
-
 void help_to_run(const RunOptions& run) {
-  help_leader(run.work, run.input, asked_of(run), [&](const Case& c, const Target& target) {
-    const SolvePlan plan = plan_of_case(target, c, run.work.threads, run.parts || run.random);
-    if (run.random) return help_with_random_tubes(plan, *run.random, run.work.ranks->team());
+  help_leader(run.work, run.input, {}, [&](const Case& c, const Target& target) {
+    const SolvePlan plan = plan_of_case(target, c, run.work.threads, run.parts);
     help_to_solve(plan, run.work.ranks->team());
   });
 }

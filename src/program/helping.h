@@ -23,9 +23,6 @@ void share_work(const Work& work, const JournalIdentity& asked, const Case& c, c
 void help_leader(const Work& work, const CaseInput& input, const JournalIdentity& asked,
                  const std::function<void(const Case&, const Target&)>& compute);
 
-/// The options of a run that all processes must have alike.
-JournalIdentity asked_of(const RunOptions& run);
-
 void help_to_run(const RunOptions& run);
 
 }  // namespace raytube

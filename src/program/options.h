@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "program/commands.h"
-#include "scene/random_result.h"
 
 namespace raytube {
 
@@ -36,7 +35,6 @@ struct RunOptions {
   bool parts = false;   // also S by mechanism
   bool resume = false;  // continue an interrupted run
   std::optional<std::string> shard;
-  std::optional<RandomOptions> random;
 };
 
 void add_set_option(CLI::App& command, CaseInput& input);

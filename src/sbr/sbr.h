@@ -13,8 +13,7 @@
 //   flat      tubes on flat faces: polygons (polygon_tubes) and single cells (tile_tracer)
 //   curved    tubes on curved surfaces, and what these reflect
 //   solid     tubes that refract into bodies, go on inside and leave
-// Here: look_parts traces one of the parts of a look, sbr refines them together; replay follows one tube; random_tubes is a Monte
-// Carlo baseline.
+// Here: look_parts traces one of the parts of a look, sbr refines them together; replay follows one tube.
 #pragma once
 
 #include <functional>

@@ -9,8 +9,7 @@
 //     + edge-face interaction: edge-diffracted illumination of other faces   (utd/interaction/edge_face_interaction.h)
 //     + waves over curved surfaces                                           (utd/surface/surface_waves.h)
 //     + edges of materials                                                   (utd/fringe/material_edges.h)
-// Screens transmit part of what tubes and edge currents behind them radiate. The random baseline (solve/random.h) takes the place
-// of the tubes alone.
+// Screens transmit part of what tubes and edge currents behind them radiate.
 #pragma once
 
 #include "core/error.h"  // what is thrown, for whoever catches it

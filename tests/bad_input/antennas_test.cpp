@@ -28,11 +28,6 @@ TEST_F(AntennasProgram, ImagesSayThatTheyArePerspectives) {
   EXPECT_THAT(text_of(scratch / "out/image.csv"), ::testing::Not(HasSubstr("# Perspective from ")));
 }
 
-TEST_F(AntennasProgram, RandomTubesSetOutFromTheAntenna) {
-  EXPECT_EQ(raytube(std::string("run ") + at_3_m + "--launch random --samples 200 --repeat 2").code, 0);
-  EXPECT_THAT(text_of(scratch / "out/rcs.csv"), HasSubstr("S is the apparent amplitude"));
-}
-
 TEST_F(AntennasProgram, ReceivedPowerHasATableOfItsOwn) {
   const std::string radar = "--set radar.transmit_power_dbm=30 --set radar.gain_dbi=20 ";
   EXPECT_EQ(raytube(std::string("run ") + at_3_m + radar).code, 0);

@@ -141,10 +141,6 @@ TEST_F(LongRuns, AJournalThatIsNone) {
   EXPECT_EQ(raytube("run case.toml --set output.plots=false").code, 0);
 }
 
-TEST_F(LongRuns, RandomTubesCannotBeResumed) {
-  expect_refused("run case.toml --launch random --resume", "--resume: random tubes are always drawn anew");
-}
-
 TEST_F(LongRuns, TheSecondIntoAFolderIsRefused) {
   fs::create_directory(scratch / "out");
   const int owner = open((scratch / "out/.raytube.lock").c_str(), O_RDWR | O_CREAT, 0666);

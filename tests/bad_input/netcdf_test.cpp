@@ -85,7 +85,6 @@ TEST_F(NetcdfProgram, AFullDiskIsSaidAndLeavesNothing) {
 }
 
 TEST_F(NetcdfProgram, WhatOneFileCannotHoldIsSaid) {
-  expect_refused("run case.toml -o a.nc --launch random", "-o a.nc: a netCDF file does not hold the spread of random tubes");
   scratch.write("mine.nc", "mine");
   expect_refused("run case.toml -o mine.nc", "is not as raytube wrote it");
   expect_refused("run case.toml --set output.netcdf=1", "output.netcdf must be true or false");

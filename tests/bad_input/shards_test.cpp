@@ -123,7 +123,6 @@ TEST_F(Shards, WrongOptions) {
     expect_refused("run case.toml --shard " + std::string(shard), "write I/N, I from 1 to N, such as 3/7");
   expect_refused("run case.toml --shard slurm", "SLURM_ARRAY_TASK_ID is not set");
   expect_refused("run case.toml --shard 1/2 --parts", "give it to raytube merge");
-  expect_refused("run case.toml --shard 1/2 --launch random", "leave out --shard or --launch random");
   expect_refused("run case.toml --shard 1/2 -o x.nc", "a shard is only part of a result");
 }
 

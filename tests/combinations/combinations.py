@@ -23,7 +23,7 @@ from solver import Refused, Solver
 
 YES, NOT_A_PAIR, UNKNOWN = "+", ".", "?"
 REASONS = {  # as the program words them
-    "a": "an image adds up to the deterministic S|mean of random tubes is not split|random tubes are drawn anew as a whole",
+    "a": "kind \"solid\"",
     "b": "seen from a finite distance have no one place",
     "c": "pieces of bistatic looks have no one place|its looks are bistatic",
     "d": "materials change with frequency|what a medium reflects changes with angle and frequency",
@@ -31,7 +31,6 @@ REASONS = {  # as the program words them
     "f": 'edges.method is "none"|need edge currents',
     "g": "the others see facets|facets are the surface itself",
     "h": "so powers do not add up",
-    "j": "kind \"solid\"",
     "i": "do not include the scattering by roughness|incoherent power is not computed",
 }
 

@@ -87,23 +87,6 @@ def netcdf(solver, settings):
     return None if whole(back)["rcs.csv"] == whole(out)["rcs.csv"] else "rcs.nc says other than rcs.csv"
 
 
-BY_CHANCE = ("--launch", "random", "--samples", "4000", "--repeat", "20", "--seed", "7")
-
-
-def chance(solver, settings):
-    """Means of runs of random tubes, within four standard errors of the deterministic answer (plus its own error)."""
-    if "ball.obj" in settings["target.mesh"]:
-        settings = {**settings, "tubes.curved": "never", "surfaces.waves": False}  # random tubes meet facets
-    out = solver.run(settings, *BY_CHANCE)
-    rows = table(out / "random.csv")
-    peak = max(abs(complex(float(row["re_det"]), float(row["im_det"]))) for row in rows)
-    for row in rows:
-        bias = abs(complex(float(row["re_bias"]), float(row["im_bias"])))
-        if bias > 4 * float(row["error_m"]) + 0.01 * peak:
-            return f"bias {bias:.2g} m, standard error {row['error_m']} m"
-    return None
-
-
 SWEEP = {"frequency.ghz": {"start": 2.9, "stop": 3.1, "count": 5}}
 
 
@@ -156,7 +139,6 @@ def missing(feature):
 
 
 PRODUCTS = [
-    Feature("random tubes", {}, chance, options=BY_CHANCE),
     Feature("image", {"output.image_look": 0, "output.image_per_wavelength": 4}, image),
     Feature("parts", {}, parts, options=("--parts",)),
     Feature("trace", {}, trace),
@@ -172,7 +154,7 @@ PRODUCTS = [
     Feature("Python", {}, python),
 ]
 
-RUNS, WRAPPERS = ("random tubes", "image", "parts", "netCDF"), ("shards", "MPI")
+RUNS, WRAPPERS = ("image", "parts", "netCDF"), ("shards", "MPI")
 
 
 def pair_checks(one, other):

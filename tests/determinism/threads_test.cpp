@@ -10,7 +10,6 @@
 #include "scratch.h"
 #include "shapes.h"
 #include "solve/image.h"
-#include "solve/random.h"
 
 namespace raytube {
 namespace {
@@ -92,23 +91,6 @@ TEST(Threads, DiffractionBetweenSurfacesGivesTheSameBits) {
     EXPECT_EQ(one.model, many.model) << threads << " threads";
     ASSERT_EQ(one.model_parts.size(), many.model_parts.size());
     for (std::size_t i = 0; i < one.model_parts.size(); ++i) EXPECT_EQ(one.model_parts[i].rms, many.model_parts[i].rms);
-  }
-}
-
-TEST(Threads, RandomTubesGiveTheSameBits) {
-  const Sweep sweep{{9e9, 10e9}, {{{0.3, 0.2}, {0.3, 0.2}}, {{0.9, 0.7}, {0.9, 0.7}}}, false};
-  const LoadedMesh loaded = build_mesh(shapes::trihedral(0.3), 1.0);
-  SolveOptions o = options(EdgeMethod::none);
-  const Target target(loaded.mesh);
-  o.threads = 1;
-  const RandomResult one = solve_with_random_tubes(target, sweep, o, {10000, 1, 3});
-  EXPECT_GT(one.mean.error[0][0][0], 0.0);
-  for (const int threads : thread_counts) {
-    o.threads = threads;
-    const RandomResult many = solve_with_random_tubes(target, sweep, o, {10000, 1, 3});
-    EXPECT_TRUE(same_bytes(one.mean.total, many.mean.total)) << threads << " threads";
-    EXPECT_EQ(one.mean.error, many.mean.error) << threads << " threads";
-    EXPECT_EQ(one.mean.statistics.rays, many.mean.statistics.rays) << threads << " threads";
   }
 }
 

@@ -45,5 +45,4 @@ expect "auto curves map polar sphere waterfall" raytube plot result.csv --kind "
 expect "cases" raytube merge ca                     # a folder of shards
 expect "case.toml" raytube merge cases case.
 expect "cases" raytube statistics result.csv -o ca
-expect "random" raytube run case.toml --launch r
 exit $faults

@@ -5,7 +5,7 @@
 //     tables   rcs.csv and its relatives, written; tables from any source, read
 //     vtk      results in space, for ParaView
 //     products range profiles, images and scattering centres, written
-//     compare  two results beside each other, convergence over tube density, random runs
+//     compare  two results beside each other, convergence over tube density
 //     words    summaries, counts and warnings as sentences
 //     picture  the plain picture of a run, by gnuplot; all others are the Python package's
 //

@@ -91,16 +91,6 @@ Json mesh_json(const Manifest& manifest) {
   return json;
 }
 
-Json launch_json(const RandomRuns& random) {
-  return {{"kind", "random"},
-          {"generator", "Philox4x32-10"},
-          {"samples", random.options.samples},
-          {"seed", random.options.seed},
-          {"repeat", random.options.runs},
-          {"run_s", random.run_s},
-          {"deterministic_s", random.deterministic_s}};
-}
-
 Json time_json(const Timing& time, double solve_s, std::uint64_t looks_resumed) {
   Json json = {{"read_s", time.read_s}, {"build_s", time.build_s}, {"solve_s", solve_s}, {"total_s", time.total_s}};
   if (looks_resumed > 0) json["looks_resumed"] = looks_resumed;
@@ -134,7 +124,6 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   json["mesh"] = mesh_json(manifest);
   json["instruction_sets"] = {{"embree", manifest.embree_instruction_set}, {"raytube", manifest.own_instruction_set}};
   json["threads"] = manifest.threads;
-  if (manifest.random) json["launch"] = launch_json(*manifest.random);
   json["warnings"] = manifest.warnings;
   json["counts"] = counts_json(manifest.statistics);
   json["model_uncertainty"] = model_json(manifest.model_parts);

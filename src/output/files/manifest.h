@@ -2,12 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scene/random_result.h"
+#include "scene/results.h"
 
 namespace raytube {
 
@@ -15,12 +14,6 @@ struct Timing {
   double read_s = 0.0;   // case and mesh file -> welded, oriented mesh
   double build_s = 0.0;  // ray-tracing structure and wedges
   double total_s = 0.0;  // from the start of the command to the last table; no plots
-};
-
-/// What random tubes were asked for, and the time of one run of them and of the deterministic solution.
-struct RandomRuns {
-  RandomOptions options;
-  double run_s, deterministic_s;
 };
 
 struct Manifest {
@@ -36,7 +29,6 @@ struct Manifest {
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written
   std::vector<std::pair<std::string, double>> mesh_notes;   // sentence and count
   std::vector<std::string> warnings;                        // about features too small and steps too wide
-  std::optional<RandomRuns> random;                         // with --launch random
   Statistics statistics;
   std::vector<ModelPart> model_parts;  // of the model uncertainty; their rows are not written
   Timing time;

@@ -248,7 +248,7 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   for (const Skipped& skipped : result.statistics.skipped)
     text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
-  if (!result.statistics.paths && !facts.random) text += error_lines(result, facts);
+  if (!result.statistics.paths) text += error_lines(result, facts);
   text += model_lines(result);
   text += beyond_bound_lines(result.statistics);
   if (facts.warnings) text += line("warnings", fmt::format("{}, above and in run.json", facts.warnings));

@@ -14,7 +14,6 @@ struct RunFacts {
   std::string size{};  // of the target
   TubeOptions tubes{};
   bool materials = false;  // other than perfect conductors: the numerical error includes truncated tubes
-  bool random = false;     // the mean of random tubes, whose error is reported elsewhere
   int threads = 1;
   std::uint64_t looks_resumed = 0;
   std::size_t warnings = 0;

@@ -11,11 +11,6 @@ namespace fs = std::filesystem;
 
 Case case_for(const Destination& destination, const RunOptions& run, Case c) {
   if (!destination.one_file()) return c;
-  if (run.random)
-    throw InputError(
-        fmt::format("-o {}: a netCDF file does not hold the spread of random tubes; give a folder, or leave out "
-                    "--launch random",
-                    run.output.string()));
   if (!c.image_looks.empty())
     warn(fmt::format("{}: output.image_look has no effect with -o {}; images need a folder", c.file.string(),
                      run.output.string()));
@@ -39,7 +34,6 @@ ResultNames names_of_results(const RunOptions& run, const Case& c, const Destina
   if (run.parts) names.tables.emplace_back("parts.csv");
   if (c.incoherent) names.tables.emplace_back("incoherent.csv");
   if (c.power) names.tables.emplace_back("power.csv");
-  if (run.random) names.tables.emplace_back("random.csv");
   if (c.netcdf) names.tables.emplace_back("rcs.nc");
   names.tables.insert(names.tables.end(), {"rcs.csv", "run.json"});
   return names;
@@ -48,8 +42,8 @@ ResultNames names_of_results(const RunOptions& run, const Case& c, const Destina
 std::vector<std::string> names_of_earlier_results(const Destination& destination) {
   if (destination.one_file()) return {};
   std::vector<std::string> names = names_of_images(destination.folder);
-  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "power.csv", "random.csv", "rcs.nc",
-                             "rcs.png", "rcs.svg", "report.html"});
+  names.insert(names.end(), {"incoherent.csv", "parts.csv", "parts.png", "parts.svg", "power.csv", "rcs.nc", "rcs.png", "rcs.svg",
+                             "report.html"});
   return names;
 }
 

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "case/read_case.h"
@@ -34,35 +33,16 @@ Examples:
   raytube run case.toml --set tubes.per_wavelength=20 --set edges.method=none
   raytube run case.toml --resume
   raytube run case.toml -o result.nc
-  raytube run case.toml --shard 3/7 -o shards      (one of seven; then raytube merge shards)
-  raytube run case.toml --launch random --samples 100000 --seed 1 --repeat 10      (also writes random.csv))";
+  raytube run case.toml --shard 3/7 -o shards      (one of seven; then raytube merge shards))";
 
 struct RunRequest {
   RunOptions run;
   MeshOptions mesh;
-  std::string launch;  // "random", or empty
-  RandomOptions random;
 };
 
 void refuse_contradictions(const RunOptions& run) {
-  if (run.random && run.parts)
-    throw InputError("--parts: the mean of random tubes is not split by mechanism; leave out --parts or --launch random");
   if (run.shard && run.parts)
     throw InputError("--parts: shards always keep the mechanisms; leave it out, and give it to raytube merge");
-  if (run.random && run.resume)
-    throw InputError("--resume: random tubes are always drawn anew as a whole; leave out --resume or --launch random");
-}
-
-// Refuses outputs that random tubes do not have.
-void refuse_random_tubes(const Case& c) {
-  if (!c.image_looks.empty())
-    throw InputError(
-        c.file.string() +
-        ": output.image_look: an image adds up to the deterministic S, not to the mean of random tubes; leave out one of them");
-  if (c.incoherent)
-    throw InputError(
-        c.file.string() +
-        ": output.incoherent: random tubes do not include the scattering by roughness; remove it, or --launch random");
 }
 
 // True if the folder holds all results of this run. Throws InputError if it holds those of a finished run of another case.
@@ -94,7 +74,6 @@ void run_case(const RunOptions& run, Product* product) {
   const ResultNames names = names_of_results(run, c, destination, product ? product->names : ResultNames{});
   check_output(destination.folder, names, input_files(c));
   if (!run.resume) LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));
-  if (run.random) refuse_random_tubes(c);
   PreparedRun prepared = prepared_run(run, read, c, total);
   if (run.resume && is_finished(run, prepared, destination)) {
     if (WorkTeam* const team = team_of(run.work))
@@ -120,7 +99,6 @@ void run_case(const RunOptions& run, Product* product) {
 CLI::App& add_run(CommandLine& line) {
   const auto asked = std::make_shared<RunRequest>();
   RunOptions& options = asked->run;
-  RandomOptions& random = asked->random;
   CLI::App& run = add_command(line, "run", "Compute a case and write the results", run_examples);
   add_value(run, "case CASE.toml|MESH", options.input.file, "Case file (TOML), or a mesh with --unit and --ghz")->required();
   add_set_option(run, options.input);
@@ -132,27 +110,12 @@ CLI::App& add_run(CommandLine& line) {
   add_value(run, "--shard I/N|slurm", options.shard,
             "Compute (or continue) part I of N of the looks, for raytube merge; slurm: the task of a job array");
   add_quiet_option(run, options.work.quiet, "summary");
-  CLI::Option* const launch = add_value(
-      run, "--launch random", asked->launch, "random: tubes at random places, as in a path tracer; default the tubes of the case",
-      [](const std::string& kind) { return kind == "random" ? "" : "write random, or leave it out (found " + kind + ")"; });
-  add_value(run, "--samples N", random.samples, "Random tubes per look; default 100000", whole_number(1, 1000000000))
-      ->needs(launch);
-  add_value(run, "--seed S", random.seed, "Seed of the random numbers; default 1",
-            whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->needs(launch);
-  add_value(run, "--repeat R", random.runs, "Independent random runs, which give the spread; default 10",
-            whole_number(2, 1000000))
-      ->needs(launch);
-  const auto settled = [asked]() -> const RunOptions& {
-    if (!asked->launch.empty()) asked->run.random = asked->random;
-    return asked->run;
-  };
-  const auto act = [asked, settled] {
-    refuse_contradictions(settled());
+  const auto act = [asked] {
+    refuse_contradictions(asked->run);
     make_case_of_mesh(asked->mesh, asked->run);
     run_case(asked->run, nullptr);
   };
-  return set_action(line, run, act, [settled] { help_to_run(settled()); });
+  return set_action(line, run, act, [asked] { help_to_run(asked->run); });
 }
 
 }  // namespace raytube

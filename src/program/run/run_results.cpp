@@ -7,7 +7,6 @@
 #include <atomic>
 #include <optional>
 
-#include "output/compare/random_report.h"
 #include "output/files/files.h"
 #include "output/files/sha256.h"
 #include "output/netcdf/netcdf_file.h"
@@ -31,9 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string note_of(const SolvedCase& solved) { return solved.by_chance ? random_note(solved.by_chance->options) : ""; }
-
-SolvedCase solve(const RunTask& task, LookJournal& journal) {
+SweepResult solve(const RunTask& task, LookJournal& journal) {
   const SolvePlan& plan = task.prepared.planned->plan;
   Manifest& manifest = task.prepared.manifest;
   manifest.looks_resumed = task.merged ? task.merged->count : journal.resumed();
@@ -57,15 +54,13 @@ std::uint64_t peak_rss_bytes() {
 }
 
 // Writes everything that a folder holds beside rcs.csv and rcs.nc.
-void write_others(const RunTask& task, const SolvedCase& solved, const fs::path& folder) {
+void write_others(const RunTask& task, const SweepResult& result, const fs::path& folder) {
   const Case& c = task.prepared.c;
-  const auto& [result, by_chance] = solved;
   write_channels_csv(folder / "channels.csv", c.sweep, result);
   stop_if_interrupted();
   if (task.asked.parts) write_parts_csv(folder / "parts.csv", c.sweep, result);
   if (c.incoherent) write_incoherent_csv(folder / "incoherent.csv", c.sweep, result);
   if (c.power) write_power_csv(folder / "power.csv", c.sweep, *c.radar.link, result);
-  if (by_chance) write_random_csv(folder / "random.csv", c.sweep, *by_chance);
   stop_if_interrupted();
   write_images(folder, task.prepared.planned->plan, c);
   Manifest& manifest = task.prepared.manifest;
@@ -82,25 +77,25 @@ void write_others(const RunTask& task, const SolvedCase& solved, const fs::path&
 }
 
 // Writes and places all results. Returns the text of the product.
-std::string place_results(const RunTask& task, const SolvedCase& solved, const OutputFolder& folder,
+std::string place_results(const RunTask& task, const SweepResult& result, const OutputFolder& folder,
                           const std::function<void()>& placed) {
   const auto& [asked, prepared, destination, merged, product, total] = task;
   const Case& c = prepared.c;
   folder.require_there();
   NewResults results(folder.path());
-  write_rcs_csv(results.folder() / "rcs.csv", c.sweep, solved.result, note_of(solved));
+  write_rcs_csv(results.folder() / "rcs.csv", c.sweep, result);
   stop_if_interrupted();
   prepared.manifest.rcs_csv_sha256 = sha256_of_file(results.folder() / "rcs.csv");
   const auto stored_result = [&] {
-    StoredResult result = stored(c.sweep, solved.result, note_of(solved));
-    result.attributes = attributes_of(task.prepared.manifest);
-    return result;
+    StoredResult all = stored(c.sweep, result);
+    all.attributes = attributes_of(task.prepared.manifest);
+    return all;
   };
   if (c.netcdf && !(product && destination.one_file())) {
     write_netcdf(results.folder() / (destination.one_file() ? destination.file : "rcs.nc"), stored_result());
     stop_if_interrupted();
   }
-  if (!destination.one_file()) write_others(task, solved, results.folder());
+  if (!destination.one_file()) write_others(task, result, results.folder());
   std::string text;
   if (product) {
     product->source.result = stored_result();
@@ -112,13 +107,13 @@ std::string place_results(const RunTask& task, const SolvedCase& solved, const O
   return text;
 }
 
-std::string summary_of(const RunTask& task, const SolvedCase& solved, const fs::path& folder) {
+std::string summary_of(const RunTask& task, const SweepResult& result, const fs::path& folder) {
   const Case& c = task.prepared.c;
   const Manifest& manifest = task.prepared.manifest;
   const dvec3 size = size_of(task.prepared.target->mesh.vertices);
-  return summary_text(solved.result, {size_text(size, std::ranges::max(c.sweep.frequencies)), c.tubes, !c.sweep.materials.empty(),
-                                      task.asked.random.has_value(), manifest.threads, manifest.looks_resumed,
-                                      manifest.warnings.size(), Destination{folder, task.destination.file}.text()});
+  return summary_text(
+      result, {size_text(size, std::ranges::max(c.sweep.frequencies)), c.tubes, !c.sweep.materials.empty(), manifest.threads,
+               manifest.looks_resumed, manifest.warnings.size(), Destination{folder, task.destination.file}.text()});
 }
 
 }  // namespace
@@ -143,17 +138,14 @@ void run_into_folder(const RunTask& task) {
   for (const std::string& sentence : prepared.planned->warnings) warn(sentence);
   bool unusable = false;
   try {
-    const SolvedCase solved = solve(task, journal);
+    const SweepResult result = solve(task, journal);
     if (asked.work.ranks) asked.work.ranks->end();
     journal.keep_all();
-    unusable = warn_of_unusable_rows(solved.result.statistics);
-    warn_of_lost_rays(prepared.c, solved.result.statistics);
-    const std::string product_text = place_results(task, solved, folder, [&] { complete = true; });
+    unusable = warn_of_unusable_rows(result.statistics);
+    warn_of_lost_rays(prepared.c, result.statistics);
+    const std::string product_text = place_results(task, result, folder, [&] { complete = true; });
     journal.remove();
-    if (!asked.work.quiet) {
-      const std::string spread = solved.by_chance ? random_text(*solved.by_chance) : "";
-      fmt::print("{}{}{}", spread, summary_of(task, solved, folder.path()), product_text);
-    }
+    if (!asked.work.quiet) fmt::print("{}{}", summary_of(task, result, folder.path()), product_text);
   } catch (const Interrupted&) {
     throw Interrupted(journal.interrupted_sentence());
   } catch (const std::exception&) {

@@ -117,7 +117,6 @@ void run_shard(const RunOptions& asked, const Case& c, const Stopwatch& total) {
   if (destination.one_file())
     throw InputError(fmt::format("-o {}: a shard is only part of a result; give a folder here, and -o FILE.nc to raytube merge",
                                  asked.output.string()));
-  if (asked.random) throw InputError("--shard: random tubes are drawn anew as a whole; leave out --shard or --launch random");
   const PreparedRun prepared = prepared_run(asked, c, c, total);
   const std::string name = fmt::format("shard_{}_of_{}{}", shard.index + 1, shard.count, shard_ending);
   const fs::path folder = fs::absolute(destination.folder), file = folder / name;

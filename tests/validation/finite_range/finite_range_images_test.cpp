@@ -1,12 +1,11 @@
-// Looks from a finite distance: images add up to S, and are seen in perspective; random tubes are unbiased.
+// Looks from a finite distance: images add up to S, and are seen in perspective.
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "validation/material_scene.h"
 #include "run.h"
 #include "shapes.h"
 #include "solve/image.h"
-#include "solve/random.h"
+#include "validation/material_scene.h"
 
 namespace raytube {
 namespace {
@@ -215,81 +214,6 @@ TEST(FiniteRangeImage, TendsToTheFarImage) {
   }
   measured("finite range, image at 2 10^4 D^2 / lambda, cells against the far image", difference / largest, "of the largest");
   EXPECT_LT(difference, 1e-3 * largest);
-}
-
-struct Lit {
-  const char* name;
-  PolygonSoup soup;
-  std::vector<Direction> from;  // where it is bright
-};
-
-// 4 standard errors of the mean, as for random tubes from afar.
-TEST(FiniteRangeRandom, TubesAreUnbiased) {
-  const std::vector<Lit> targets{
-      {"plate", shapes::plate(5 * lambda, 0.3), {{0.03, 0.3}, {0.08, 1.9}}},
-      {"dihedral", shapes::dihedral(5 * lambda, 5 * lambda), {{88 * degree, 43 * degree}, {pi / 2, 20 * degree}}},
-      {"cube", shapes::cube(4 * lambda), {{88 * degree, 3 * degree}, {pi / 2, 0.0}}}};
-  for (const auto& [name, soup, from] : targets)
-    for (const double far_fields : {1.0, 0.3}) {
-      Scene scene(soup, EdgeMethod::none);
-      scene.options.tubes.tolerance_db = 0.01;
-      Sweep sweep{{frequency}, {}, false};
-      for (const Direction& d : from) sweep.looks.push_back(near_look(d, d, scene.range(far_fields), scene.range(far_fields)));
-      sweep.radar.pattern.azimuth_beamwidth = 30.0 * degree;
-      const RandomResult result = solve_with_random_tubes(scene.target, sweep, scene.options, {2000, 5, 100});
-      for (std::size_t row = 0; row < sweep.rows(); ++row)
-        for (const int c : {0, 1}) {
-          const double error = result.mean.error[row][c][c];
-          const Complex truth = result.deterministic.total[row].at(c, c);
-          EXPECT_GT(error, 0.0);
-          EXPECT_LT(error, 0.02 * std::abs(truth)) << name;
-          EXPECT_LE(std::abs(result.mean.total[row].at(c, c) - truth), 4.0 * error)
-              << name << ' ' << far_fields << ' ' << row << c;
-        }
-    }
-}
-
-TEST(FiniteRangeRandom, TubesOfMaterialsAreUnbiased) {
-  const std::vector<Material> materials = materials_at(1);
-  for (const auto& [name, soup, from] : targets_of_materials())
-    for (const double far_fields : {1.0, 0.3}) {
-      Scene scene(soup, EdgeMethod::none, materials);
-      scene.options.tubes.tolerance_db = 0.01;
-      Sweep sweep{{frequency}, {}, false, {}, materials};
-      for (const Direction& d : from) sweep.looks.push_back(near_look(d, d, scene.range(far_fields), scene.range(far_fields)));
-      const RandomResult result = solve_with_random_tubes(scene.target, sweep, scene.options, {2000, 5, 100});
-      for (std::size_t row = 0; row < sweep.rows(); ++row)
-        for (const int c : {0, 1}) {
-          const double error = result.mean.error[row][c][c];
-          EXPECT_GT(error, 0.0);
-          EXPECT_LE(std::abs(result.mean.total[row].at(c, c) - result.deterministic.total[row].at(c, c)), 4.0 * error)
-              << name << ' ' << far_fields << ' ' << row << c;
-        }
-    }
-}
-
-// Of one tube known to 2 %; a run's falls as 1 / samples. The sum of the squares of 200 runs in units of it is chi-square with
-// 199 degrees of freedom at least: 10 % in the mean, 4 of these.
-TEST(FiniteRangeRandom, VarianceFallsAsOneOverTheNumberOfTubes) {
-  for (const double far_fields : {1.0, 0.3}) {
-    Scene scene(shapes::plate(5 * lambda), EdgeMethod::none);
-    const Sweep sweep = monostatic_at({0.3, 0.2}, scene.range(far_fields));
-    const auto variance = [&](const RandomOptions& random) {
-      return std::pow(solve_with_random_tubes(scene.target, sweep, scene.options, random).spread[0][0][0].amplitude, 2);
-    };
-    const double of_one = variance({1, 11, 5000});
-    for (const std::uint64_t samples : {250u, 1000u, 4000u})
-      EXPECT_NEAR(variance({samples, 1, 200}) * static_cast<double>(samples) / of_one, 1.0, 0.4) << samples;
-  }
-}
-
-TEST(FiniteRangeRandom, ThreadsDoNotShow) {
-  Scene scene(shapes::dihedral(5 * lambda, 5 * lambda), EdgeMethod::none);
-  const Sweep sweep = monostatic_at(aside, scene.range(0.3));
-  scene.options.threads = 1;
-  const ScatteringMatrix one = solve_with_random_tubes(scene.target, sweep, scene.options, {5000, 5, 3}).mean.total[0];
-  scene.options.threads = 7;
-  EXPECT_EQ(solve_with_random_tubes(scene.target, sweep, scene.options, {5000, 5, 3}).mean.total[0].s, one.s);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-// Over ground: antennas at a finite distance, images, pieces, random tubes, rays, and which tubes there are.
+// Over ground: antennas at a finite distance, images, pieces, rays, and which tubes there are.
 
 #include <gmock/gmock.h>
 
-#include "validation/ground_scene.h"
 #include "solve/image.h"
 #include "solve/pieces.h"
-#include "solve/random.h"
+#include "validation/ground_scene.h"
 
 namespace raytube {
 namespace {
@@ -198,25 +197,6 @@ TEST(GroundPieces, AddUpToTheRowAndTellOfOtherFrequencies) {
   EXPECT_LT(largest_difference(sum, here), 1e-12 * largest_amplitude(here));
   EXPECT_LT(largest_difference(shifted, there), 0.02 * largest_amplitude(there));
   EXPECT_GT(largest_difference(here, there), 0.2 * largest_amplitude(there));  // else it says nothing
-}
-
-// 4 standard errors come by chance once in 10^4; seeds are fixed.
-TEST(GroundRandom, TubesAreUnbiased) {
-  for (const double range : {3.0, std::numeric_limits<double>::infinity()})
-    for (const Ground& ground : {Ground{0.0, {}}, medium(0.0)}) {
-      const Case c = case_over(monostatic_at(range), ground);
-      const Target target = target_over_ground(plate.soup(), c);
-      const RandomResult result =
-          solve_with_random_tubes(SolvePlan(target, c.sweep, options_of(c, true), c.ground), {1000, 5, 100});
-      ASSERT_EQ(result.mean.total.size(), 2u);
-      for (std::size_t row = 0; row < 2; ++row)
-        for (int p = 0; p < 2; ++p) {
-          EXPECT_GT(result.mean.error[row][p][p], 0.0);
-          EXPECT_LT(std::abs(result.mean.total[row].at(p, p) - result.deterministic.total[row].at(p, p)),
-                    4.0 * result.mean.error[row][p][p])
-              << range << ground.perfect() << row << p;
-        }
-    }
 }
 
 TEST(GroundTrace, OverAMediumTheGroundLightsATargetToo) {
