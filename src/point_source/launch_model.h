@@ -5,8 +5,8 @@
 
 #include "mesh/model/geometry.h"
 #include "mesh/trace/tracer.h"
+#include "point_source/source_study.h"
 #include "point_source/source_visibility.h"
-#include "scene/source_study.h"
 
 namespace raytube {
 

@@ -7,7 +7,7 @@
 
 #include "mesh/model/join.h"
 #include "point_source/launch_model.h"
-#include "scene/source_study.h"
+#include "point_source/source_study.h"
 
 namespace raytube {
 

@@ -1,8 +1,7 @@
 // Source visibility: what a point source, or a plane wave, reaches before anything else. Exact, by cutting triangles with the
 // shadows of all others.
 //
-// point_source/ studies ways to launch rays from a point: launch_model spreads them, ray_hits counts what they meet,
-// source_visibility and launch_limit say what these counts tend to. Recentred coordinates [m]; shares are of 1.
+// Recentred coordinates [m]; shares are of 1.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 //     command_line  the list of commands, their help, and the sentences about unknown words;  main: exceptions -> exit codes
 //     options       options that several commands have
 //     run/          raytube run and merge: a case into its folder, or shards of it
-//     check, trace, compare, converge, convert, sources, profile, isar, centres: each command with its options and its help
+//     check, trace, compare, converge, convert, profile, isar, centres: each command with its options and its help
 //     helping       several processes at one command;  python: commands and pictures of the Python package
 //     products      what profile, isar and centres have in common;  images: the images of a run
 //     work/         where files go (destination), how they get there (results), interrupts (interrupt, look_journal), progress
@@ -46,7 +46,7 @@ CLI::App& add_converge(CommandLine& line);
 CLI::App& add_profile(CommandLine& line);
 CLI::App& add_isar(CommandLine& line);
 CLI::App& add_centres(CommandLine& line);
-CLI::App& add_sources(CommandLine& line);
+CLI::App& add_sources(CommandLine& line);  // point_source/command.cpp
 CLI::App& add_check(CommandLine& line);
 CLI::App& add_trace(CommandLine& line);
 CLI::App& add_compare(CommandLine& line);

@@ -3,7 +3,7 @@
 
 #include "case/read_case.h"
 #include "case/resolved_case.h"
-#include "case/source_case.h"
+#include "point_source/source_case.h"
 #include "scratch.h"
 #include "target.h"
 

@@ -3,7 +3,7 @@
 //     document     the text of the file and of --set as a tree of values that know their location: file and line, or option
 //     keys         which keys there are; values: numbers, texts, vectors and ranges, checked
 //     read_case    the tree -> Case, section by section: materials, media, looks, radar
-//     target       Case -> mesh with materials; resolved_case: Case -> JSON; source_case: the case of `raytube sources`
+//     target       Case -> mesh with materials; resolved_case: Case -> JSON
 //
 // This file has the plain data alone. Lengths, angles and frequencies that a reader keeps "as the user gave it" have the unit of
 // their key; all others are in SI units and radians.

@@ -58,8 +58,6 @@ const Rooms may_include = {
     {"sbr/solid", base + std::set<std::string>{"sbr/launch", "sbr/beams"}},
     {"sbr", base + std::set<std::string>{"sbr/launch", "sbr/beams", "sbr/visible", "sbr/flat", "sbr/curved", "sbr/solid"}},
 
-    {"point_source", {"core", "math", "math/special", "scene", "mesh/model", "mesh/trace"}},
-
     {"utd/wedge", base},
     {"utd/rounded", base + std::set<std::string>{"utd/wedge", "utd/surface"}},
     {"utd/shadow", base + std::set<std::string>{"utd/wedge"}},
@@ -91,7 +89,8 @@ const Rooms may_include = {
     {"case/text", {"core", "scene/keys", "mesh/model"}},
     {"case/directions", {"core", "scene", "scene/keys", "case/data", "case/text"}},
     {"case/materials", {"core", "scene", "scene/keys", "case/data", "case/text"}},
-    {"case", {"core", "scene", "scene/keys", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
+    {"case",
+     {"core", "scene", "scene/keys", "mesh", "mesh/model", "case/data", "case/text", "case/directions", "case/materials"}},
     {"imaging", {"core", "math", "math/special", "scene"}},
 
     {"output/files", {"core", "scene"}},
@@ -110,35 +109,20 @@ const Rooms may_include = {
     {"ranks", {"core"}},
     {"mpi", {"core", "ranks"}},
     {"program/work", {"core", "plan", "output/files", "output/netcdf", "solve"}},
-    {"program", base + std::set<std::string>{"jobs",
-                                             "jobs/warnings",
-                                             "case",
-                                             "case/data",
-                                             "case/materials",
-                                             "case/text",
-                                             "mesh",
-                                             "output/compare",
-                                             "output/files",
-                                             "output/netcdf",
-                                             "output/picture",
-                                             "output/words",
-                                             "output/tables",
-                                             "output/vtk",
-                                             "plan",
-                                             "point_source",
-                                             "sbr",
-                                             "solve",
-                                             "solve/mechanisms",
-                                             "utd/shadow",
-                                             "utd/wedge",
-                                             "program/work",
-                                             "imaging",
-                                             "ranks",
-                                             "output/products"}},
+    {"program", base + std::set<std::string>{"jobs",           "jobs/warnings",    "case",           "case/data",
+                                             "case/materials", "case/text",        "mesh",           "output/compare",
+                                             "output/files",   "output/netcdf",    "output/picture", "output/words",
+                                             "output/tables",  "output/vtk",       "plan",           "sbr",
+                                             "solve",          "solve/mechanisms", "utd/shadow",     "utd/wedge",
+                                             "program/work",   "imaging",          "ranks",          "output/products"}},
     {"program/run",
      base + std::set<std::string>{"case", "case/data", "case/materials", "jobs", "jobs/warnings", "mesh", "output/compare",
                                   "output/files", "output/netcdf", "output/picture", "output/tables", "output/words", "plan",
                                   "program", "program/work", "ranks", "solve"}},
+
+    {"point_source",
+     {"core", "math", "math/special", "mesh", "mesh/model", "mesh/trace", "case/text", "output/files", "jobs", "program",
+      "program/work"}},
 };
 
 struct SourceFile {
@@ -259,7 +243,8 @@ Findings types_defined_twice(const std::vector<SourceFile>& files) {
 const std::string two_versions = "mesh/trace/embree.h";
 
 Findings foreign_libraries_in_headers(const std::vector<SourceFile>& files) {
-  static const std::regex foreign(R"(#include\s+<(mpi\.h|embree|CGAL|OpenMesh|CLI|toml|nlohmann/json\.hpp|openssl|netcdf|OpenEXR))");
+  static const std::regex foreign(
+      R"(#include\s+<(mpi\.h|embree|CGAL|OpenMesh|CLI|toml|nlohmann/json\.hpp|openssl|netcdf|OpenEXR))");
   Findings found;
   for (const SourceFile& file : files)
     if (file.is_header() && file.path != two_versions)

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "case/source_case.h"
 #include "core/random.h"
 #include "mesh/load.h"
+#include "point_source/source_case.h"
 #include "source_scene.h"
 
 namespace raytube {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scene/source_study.h"
+#include "point_source/source_study.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "output/tables/sources_csv.h"
+#include "point_source/sources_csv.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 // The case file of `raytube sources`: what it says, its defaults, and a sentence for everything it must not say.
+#include "point_source/source_case.h"
+
 #include <gmock/gmock.h>
 
-#include "case/source_case.h"
 #include "core/error.h"
 #include "scratch.h"
 

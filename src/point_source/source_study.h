@@ -1,4 +1,13 @@
-// Rays from a point source, launched by one of several models, and what they hit: plain data.
+// The room of point sources: ways to launch rays from a point, and the command `raytube sources` that studies them. Nothing else
+// of the program knows of them but that the command is in its list.
+//
+//     source_case        the case file;  source_tracing: its scene, traced from every position by every model
+//     launch_model       spreads the rays;  ray_hits: follows them and counts what they meet
+//     source_visibility  with visibility_border, spatial_polygon: what the source sees, exactly
+//     launch_limit       what the counts tend to
+//     sources_csv        the table, and clouds of points;  command: options, files, and what is printed
+//
+// This file: what was found, as plain data.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "case/source_case.h"
+#include "point_source/source_case.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mesh/model/geometry.h"
-#include "scene/source_study.h"
+#include "point_source/source_study.h"
 
 namespace raytube {
 

@@ -1,7 +1,8 @@
 // The table and the points that `raytube sources` writes, and what its pictures are made of.
+#include "point_source/sources_csv.h"
+
 #include <gmock/gmock.h>
 
-#include "output/tables/sources_csv.h"
 #include "scratch.h"
 
 namespace raytube {
