@@ -36,21 +36,20 @@ LoadedMesh repository_mesh(const std::string& case_file) {
   return load_target(c);
 }
 
-SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads) {
+SolveOptions uniform(double per_wavelength, int threads) {
   SolveOptions options;
-  options.tubes.mode = mode;
+  options.tubes.mode = TubeMode::uniform;
   options.tubes.per_wavelength = per_wavelength;
-  options.tubes.clip = false;
   options.tubes.skip = false;  // every ray counts here
   options.edges.method = EdgeMethod::none;
   options.threads = threads;
   return options;
 }
 
-SolveOptions clipped(double tolerance_db, int threads, bool curved, double most_per_wavelength) {
-  SolveOptions options = over_cells(TubeMode::adaptive, 10.0, threads);
+SolveOptions adaptive(double tolerance_db, int threads, bool curved, double most_per_wavelength) {
+  SolveOptions options = uniform(10.0, threads);
+  options.tubes.mode = TubeMode::adaptive;
   options.tubes.max_per_wavelength = most_per_wavelength;
-  options.tubes.clip = true;
   options.tubes.curved = curved ? CurvedSurfaces::always : CurvedSurfaces::never;
   options.tubes.tolerance_db = tolerance_db;
   return options;

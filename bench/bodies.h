@@ -33,11 +33,11 @@ Sweep looks_round(double frequency, int count);
 Case repository_case(const std::string& file, const std::string& mode);
 LoadedMesh repository_mesh(const std::string& case_file);
 
-/// Tubes over the cells of a grid, edges off, nothing skipped: the uniform mode, or adaptive tubes without clip.
-SolveOptions over_cells(TubeMode mode, double per_wavelength, int threads);
+/// Tubes over the cells of a uniform grid, edges off, nothing skipped.
+SolveOptions uniform(double per_wavelength, int threads);
 /// Adaptive tubes that end exactly at edges, edges off, refined until their estimated error is below `tolerance_db` or cells
 /// reach `most_per_wavelength`. Facets are kept flat unless `curved`.
-SolveOptions clipped(double tolerance_db, int threads, bool curved = false, double most_per_wavelength = 40.0);
+SolveOptions adaptive(double tolerance_db, int threads, bool curved = false, double most_per_wavelength = 40.0);
 
 /// What one run gave.
 struct Outcome {

@@ -56,9 +56,9 @@ struct Truth {
 // fine one. The uniform grid comes from elsewhere to the same value.
 Truth exact_tubes(const Body& body, double grid_density, int threads) {
   constexpr double density = 80.0, no_tolerance_db = 1e-9;
-  Truth truth{fmt::format("adaptive + clip at {} per wavelength", density),
-              solved(body, body.sweep, clipped(no_tolerance_db, threads, false, density)).scattering};
-  const Outcome grid = solved(body, body.sweep, over_cells(TubeMode::uniform, grid_density, threads));
+  Truth truth{fmt::format("adaptive at {} per wavelength", density),
+              solved(body, body.sweep, adaptive(no_tolerance_db, threads, false, density)).scattering};
+  const Outcome grid = solved(body, body.sweep, uniform(grid_density, threads));
   truth.check = {{"uniform_per_wavelength", grid_density}, {"relative_error", relative_error(grid.scattering, truth.scattering)}};
   return truth;
 }
@@ -118,18 +118,18 @@ struct Method {
   bool curved = false;
 };
 
-Method cell_method(const std::string& name, const Body& body, TubeMode mode, const std::vector<double>& densities, int threads) {
-  return {name, densities, [&body, mode, threads](double density) -> Run {
-            return [&body, options = over_cells(mode, density, threads)](int) { return solved(body, body.sweep, options); };
+Method uniform_method(const Body& body, const std::vector<double>& densities, int threads) {
+  return {"uniform", densities, [&body, threads](double density) -> Run {
+            return [&body, options = uniform(density, threads)](int) { return solved(body, body.sweep, options); };
           }};
 }
 
-Method clipped_method(const std::string& name, const Body& body, bool curved, const Settings& settings) {
+Method adaptive_method(const std::string& name, const Body& body, bool curved, const Settings& settings) {
   std::vector<double> tolerances{1, 0.1};
   if (!settings.quick) tolerances = {3, 1, 0.3, 0.1, 0.03, 0.01};
   return {name, tolerances,
           [&body, curved, threads = settings.threads](double tolerance) -> Run {
-            return [&body, options = clipped(tolerance, threads, curved)](int) { return solved(body, body.sweep, options); };
+            return [&body, options = adaptive(tolerance, threads, curved)](int) { return solved(body, body.sweep, options); };
           },
           curved};
 }
@@ -162,10 +162,8 @@ Method random_method(const Body& body, const Settings& settings) {
 }
 
 std::vector<Method> methods(const Body& body, bool curved, const std::vector<double>& densities, const Settings& settings) {
-  std::vector<Method> all{cell_method("uniform", body, TubeMode::uniform, densities, settings.threads),
-                          cell_method("adaptive", body, TubeMode::adaptive, densities, settings.threads),
-                          clipped_method("adaptive + clip", body, false, settings)};
-  if (curved) all.push_back(clipped_method("adaptive, curved", body, true, settings));
+  std::vector<Method> all{uniform_method(body, densities, settings.threads), adaptive_method("adaptive", body, false, settings)};
+  if (curved) all.push_back(adaptive_method("adaptive, curved", body, true, settings));
   all.push_back(random_method(body, settings));
   return all;
 }

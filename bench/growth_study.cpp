@@ -19,8 +19,8 @@ Run run_of(const Body& body, const Sweep& sweep, const SolveOptions& options) {
 }
 
 void add_both_modes(std::vector<Place>& places, double x, const Body& body, const Sweep& sweep, int threads) {
-  places.push_back({x, "uniform", run_of(body, sweep, over_cells(TubeMode::uniform, 10.0, threads))});
-  places.push_back({x, "adaptive + clip", run_of(body, sweep, clipped(0.1, threads))});
+  places.push_back({x, "uniform", run_of(body, sweep, uniform(10.0, threads))});
+  places.push_back({x, "adaptive", run_of(body, sweep, adaptive(0.1, threads))});
 }
 
 Json measured(const std::string& body, const std::string& variable, const std::vector<Place>& places, int repeats) {

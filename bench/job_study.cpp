@@ -29,9 +29,8 @@ Json dihedral_rows(const Settings& settings) {
   Json rows;
   for (const double density : {12.0, 25.0}) {
     if (settings.quick && density > 12.0) break;
-    const std::pair<const char*, SolveOptions> modes[] = {{"uniform", over_cells(TubeMode::uniform, density, settings.threads)},
-                                                          {"adaptive", over_cells(TubeMode::adaptive, density, settings.threads)},
-                                                          {"adaptive + clip", clipped(0.1, settings.threads)}};
+    const std::pair<const char*, SolveOptions> modes[] = {{"uniform", uniform(density, settings.threads)},
+                                                          {"adaptive", adaptive(0.1, settings.threads)}};
     std::vector<Run> runs;
     for (const auto& [name, options] : modes) runs.push_back([&body, options](int) { return solved(body, body.sweep, options); });
     const std::vector<std::vector<Outcome>> outcomes = in_turn(runs, settings.repeats);

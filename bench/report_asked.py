@@ -1,6 +1,6 @@
 """The first table: what was asked of raytube's speed, what was measured, and whether it is reached."""
 from report_format import number, ratio, seconds, table
-from report_numbers import (CLIP, LEVEL_DB, RANDOM, RAYS, body_named, clipped_against_grid, curve, default_tubes, dihedral_ratios, embree_ratios,
+from report_numbers import (ADAPTIVE, LEVEL_DB, RANDOM, RAYS, body_named, adaptive_against_grid, curve, default_tubes, dihedral_ratios, embree_ratios,
                             exponent, growths, needed)
 
 
@@ -29,12 +29,12 @@ def dihedral(data):
                f"{number(fewer)}; {number(faster)}", verdict(fewer >= rays and faster >= time)]
 
 
-def clipped(data):
+def flat_bodies(data):
     for name in ("plate", "dihedral", "trihedral"):
         body = body_named(data, name)
-        error, share = clipped_against_grid(body)
+        error, share = adaptive_against_grid(body)
         against = f" (against uniform, {body['check']['uniform_per_wavelength']:g} per λ)" if body["check"] else ""
-        yield [f"{body['body']}, with clip: relative error of S{against}; share of the uniform grid's rays", "≤ 10⁻⁴; ≤ 2 %",
+        yield [f"{body['body']}, adaptive: relative error of S{against}; share of the uniform grid's rays", "≤ 10⁻⁴; ≤ 2 %",
                f"{number(error)}; {number(100 * share)} %", verdict(error <= 1e-4 and share <= 0.02)]
 
 
@@ -56,11 +56,11 @@ def throughput(data):
 
 def frequency(data):
     (growth,) = growths(data, "GHz")
-    grid, tubes = (curve(growth, mode) for mode in ("uniform", CLIP))
+    grid, tubes = (curve(growth, mode) for mode in ("uniform", ADAPTIVE))
     yield [f"{short(growth)}, time against frequency, {grid[0][0]:g} to {grid[-1][0]:g} GHz: exponent, adaptive (uniform)", "≤ 0.6 (2)",
            f"{exponent(tubes):.2f} ({exponent(grid):.2f})", verdict(exponent(tubes) <= 0.6)]
     for growth in growths(data, "frequencies"):
-        grid, tubes = (dict(curve(growth, mode)) for mode in ("uniform", CLIP))
+        grid, tubes = (dict(curve(growth, mode)) for mode in ("uniform", ADAPTIVE))
         if 101 in grid:
             yield [f"{short(growth)}: time of 101 frequencies / 1, uniform (adaptive)", "≤ 2",
                    f"{grid[101] / grid[1]:.2f} ({tubes[101] / tubes[1]:.2f})", verdict(grid[101] <= 2 * grid[1])]
@@ -68,7 +68,7 @@ def frequency(data):
 
 def threads(data):
     for growth in growths(data, "threads"):
-        for mode in ("uniform", CLIP):
+        for mode in ("uniform", ADAPTIVE):
             times = dict(curve(growth, mode))
             yield [f"{short(growth)}, {mode}: speed of 2 threads / 1", "≥ 1.85", f"{times[1] / times[2]:.2f}",
                    verdict(times[1] >= 1.85 * times[2])]
@@ -80,5 +80,5 @@ def memory(data):
 
 
 def asked_and_measured(data):
-    rows = [row for part in (at_random, dihedral, clipped, jobs, throughput, frequency, threads, memory) for row in part(data)]
+    rows = [row for part in (at_random, dihedral, flat_bodies, jobs, throughput, frequency, threads, memory) for row in part(data)]
     return "## Asked and measured\n\n" + table(["what", "asked", "measured", "reached"], rows) + "\n"

@@ -1,8 +1,8 @@
 """What the report concludes from the numbers: crossings, laws, exponents, ratios."""
 import math
 
-CLIP, CURVED, RANDOM = "adaptive + clip", "adaptive, curved", "Monte Carlo"
-METHODS = ("uniform", "adaptive", CLIP, CURVED, RANDOM)
+ADAPTIVE, CURVED, RANDOM = "adaptive", "adaptive, curved", "Monte Carlo"
+METHODS = ("uniform", ADAPTIVE, CURVED, RANDOM)
 LEVEL_DB = 0.1
 RAYS, TIME = "rays_per_look", "seconds_per_look"
 
@@ -40,7 +40,7 @@ def needed(body, what):
 
 def default_tubes(body):
     """What raytube does unless told otherwise: surfaces that facets stand for are taken as such where there are any."""
-    return CURVED if CURVED in body["methods"] else CLIP
+    return CURVED if CURVED in body["methods"] else ADAPTIVE
 
 
 def exponent(pairs):
@@ -68,11 +68,11 @@ def at_sample(points, sample):
     return next((p for p in points if p["samples"] == sample), points[-1])
 
 
-def clipped_against_grid(body):
-    """Relative error of clipped tubes, and their share of the rays of the uniform grid of ten cells per wavelength. Where they are the
+def adaptive_against_grid(body):
+    """Relative error of adaptive tubes, and their share of the rays of the uniform grid of ten cells per wavelength. Where they are the
     truth themselves, their distance from the finest uniform grid stands for the error: it is the larger by far."""
-    grid, clipped = at_sample(body["methods"]["uniform"], 10), at_sample(body["methods"][CLIP], LEVEL_DB)
-    return (body["check"] or clipped)["relative_error"], clipped[RAYS] / grid[RAYS]
+    grid, tubes = at_sample(body["methods"]["uniform"], 10), at_sample(body["methods"][ADAPTIVE], LEVEL_DB)
+    return (body["check"] or tubes)["relative_error"], tubes[RAYS] / grid[RAYS]
 
 
 def dihedral_ratios(data):

@@ -4,7 +4,7 @@ import pathlib
 import subprocess
 import sys
 
-from report_numbers import CLIP, LEVEL_DB, METHODS, RAYS, TIME, curve
+from report_numbers import ADAPTIVE, LEVEL_DB, METHODS, RAYS, TIME, curve
 
 PALETTE = pathlib.Path(__file__).resolve().parent.parent / "docs" / "figures" / "palette.py"
 LEAST_DB = 1e-5  # errors below are drawn here: a logarithmic axis has no zero
@@ -52,7 +52,7 @@ def growth_panels(data):
     script = "set key left top\nset multiplot layout 2,2\nset ylabel 'time (s)'\n"
     for i, growth in enumerate(shown):
         plots = []
-        for style, mode in ((1, "uniform"), (3, CLIP)):
+        for style, mode in ((1, "uniform"), (3, ADAPTIVE)):
             script += block(f"g{i}m{style}", curve(growth, mode))
             plots.append(f"$g{i}m{style} with linespoints ls {style} title '{mode}'")
         script += f"set title '{growth['body']}'\nset xlabel '{growth['variable']}'\nplot {', '.join(plots)}\n"

@@ -1,7 +1,7 @@
 """The page: tables, pictures, and the sentences that follow from the numbers."""
 from report_asked import asked_and_measured
 from report_format import number, ratio, seconds, signed, table
-from report_numbers import (CLIP, LEVEL_DB, METHODS, RANDOM, RAYS, TIME, body_named, curve, default_tubes, dihedral_ratios, embree_ratios,
+from report_numbers import (ADAPTIVE, LEVEL_DB, METHODS, RANDOM, RAYS, TIME, body_named, curve, default_tubes, dihedral_ratios, embree_ratios,
                             exponent, growths, needed)
 
 
@@ -61,7 +61,7 @@ def errors(data, plots):
     return f"""## Error against rays and time
 
 Ways to sample the same physical-optics currents, up to 8 bounces, edges off (`edges.method = "none"`): the **uniform** grid at several
-densities; **adaptive** tubes over the same cells (`tubes.clip = false`); **adaptive + clip**, tubes that end exactly at edges and shadows, refined
+densities; **adaptive** tubes, which end exactly at edges and shadows, refined
 until their own estimate of the error is below a tolerance (facets kept flat); **adaptive, curved**, the same on the surface that facets stand for, the
 default on tessellated bodies; and
 **Monte Carlo**, rays from random places of the launch rectangle (Philox4x32-10, {data['machine']['repeats']} seeds), each one point sample of the
@@ -72,7 +72,7 @@ The truth is
 
 {truths(data)}
 
-On flat facets clipped tubes have no sampling error once cells outnumber facets;
+On flat facets adaptive tubes have no sampling error once cells outnumber facets;
 {checks(data)}.
 How far facets are from a smooth body is not counted where facets are kept.
 
@@ -105,9 +105,9 @@ With all the physics, {100 * min(ratios):.0f} to {100 * max(ratios):.0f} % of ba
 
 
 def growth_row(growth):
-    grid, clipped = (curve(growth, mode) for mode in ("uniform", CLIP))
+    grid, tubes = (curve(growth, mode) for mode in ("uniform", ADAPTIVE))
     cells = [growth["body"], growth["variable"], f"{grid[0][0]:,.0f} – {grid[-1][0]:,.0f}"]
-    for places in (grid, clipped):
+    for places in (grid, tubes):
         (_, first), (_, last) = places[0], places[-1]
         cells += [f"{last / first:.3g}", f"{exponent(places):.2f}", f"{seconds(first)}; {seconds(last)}"]
     return cells
@@ -115,15 +115,15 @@ def growth_row(growth):
 
 def growth(data, plots):
     (frequency,) = growths(data, "GHz")
-    grid, clipped = (exponent(curve(frequency, mode)) for mode in ("uniform", CLIP))
+    grid, tubes = (exponent(curve(frequency, mode)) for mode in ("uniform", ADAPTIVE))
     columns = [f"{mode}: {what}" for mode in ("uniform", "adaptive") for what in ("last / first", "exponent", "first; last")]
     return f"""## Growth
 
 Time at the last value over that at the first, and the exponent of the power law fitted through all values. 10 cells per wavelength at the highest
-frequency; adaptive with clip at a tolerance of 0.1 dB, facets kept flat, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
+frequency; adaptive at a tolerance of 0.1 dB, facets kept flat, which on flat faces is exact at every frequency, so that its time is the time at a fixed tolerance.
 
 {picture("growth", "growth of the time", plots)}{table(["target", "variable", "range", *columns], [growth_row(g) for g in data["growth"]])}
-The uniform grid's time grows as frequency to the power {grid:.2f}, that of adaptive tubes to the power {clipped:.2f}.
+The uniform grid's time grows as frequency to the power {grid:.2f}, that of adaptive tubes to the power {tubes:.2f}.
 
 """
 
@@ -137,7 +137,7 @@ def jobs(data):
             for j in data["jobs"]["jobs"]]
     return f"""## Dihedral of 150 mm, 94 GHz, four looks
 
-Against the closed form, over VV and HH. Adaptive tubes without clip cover the uniform grid's cells, so their error is the same.
+Against the closed form, over VV and HH.
 
 {table(["density", "tubes", "times fewer rays", "times less time", "relative error of S", "rays", "time"], rows)}
 ## Whole jobs

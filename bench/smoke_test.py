@@ -40,15 +40,10 @@ class Report(unittest.TestCase):
             self.assertIn(f"(plots/{name}.png)", self.text)
             self.assertTrue((OUTPUT / "plots" / f"{name}.png").read_bytes().startswith(b"\x89PNG"))
 
-    def test_clipped_tubes_are_exact_on_flat_faces(self):
+    def test_adaptive_tubes_are_exact_on_flat_faces(self):
         for name in ("plate", "dihedral", "trihedral"):
-            for point in self.points(name, "adaptive + clip"):
+            for point in self.points(name, "adaptive"):
                 self.assertLess(point["relative_error"], 1e-12)  # phases of some 100 rad, rounded
-
-    def test_tubes_over_the_same_cells_have_the_same_error(self):
-        for name in ("plate", "dihedral", "trihedral"):
-            for grid, tubes in zip(self.points(name, "uniform"), self.points(name, "adaptive")):
-                self.assertAlmostEqual(grid["relative_error"], tubes["relative_error"], delta=1e-11)  # sums of 10^5 terms, rounded
 
     def test_uniform_grid_converges(self):
         for name in ("plate", "dihedral", "trihedral", "sphere", "cylinder", "vehicle"):
@@ -66,7 +61,7 @@ class Report(unittest.TestCase):
     def test_rays_against_frequency(self):
         (growth,) = growths(self.data, "GHz")
         self.assertAlmostEqual(exponent(curve(growth, "uniform", "rays")), 2.0, delta=0.05)  # whole cells at the lowest frequency
-        self.assertEqual(len({rays for _, rays in curve(growth, "adaptive + clip", "rays")}), 1)
+        self.assertEqual(len({rays for _, rays in curve(growth, "adaptive", "rays")}), 1)
 
     def test_bare_embree_shoots_the_solvers_rays(self):
         for row in self.data["throughput"]:

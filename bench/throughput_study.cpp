@@ -11,7 +11,7 @@ namespace raytube::bench {
 namespace {
 
 Json measure(const Body& body, int threads, int repeats) {
-  const SolveOptions options = over_cells(TubeMode::uniform, 10.0, threads);
+  const SolveOptions options = uniform(10.0, threads);
   std::vector<double> solver, bare;
   BareTime last;
   std::uint64_t rays = 0;
