@@ -55,7 +55,7 @@ completions for bash and zsh, and the documentation with its cases.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/debian/shlibs.cmake)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libopenmesh-dev, libtbb-dev, \
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libcgal-dev, libembree-dev, libfmt-dev, libglm-dev, libtbb-dev, \
 zlib1g-dev, libexpat1-dev, libzip-dev")
 if(TARGET raytube_mpi)
   string(APPEND CPACK_DEBIAN_PACKAGE_SUGGESTS ", openmpi-bin")

@@ -8,14 +8,8 @@
 
 #include "core/error.h"
 #include "mesh/model/edge_table.h"
-#include "mesh/repair/coincident.h"
-#include "mesh/repair/conform.h"
-#include "mesh/repair/duplicates.h"
-#include "mesh/repair/facets.h"
-#include "mesh/repair/orient.h"
-#include "mesh/repair/patches.h"
+#include "mesh/repair/steps.h"
 #include "mesh/repair/triangulate.h"
-#include "mesh/repair/weld.h"
 
 namespace raytube {
 

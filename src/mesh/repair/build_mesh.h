@@ -1,7 +1,7 @@
 // Polygons -> TriangleMesh: welded, without T-junctions, slivers and duplicates, wound alike, grouped in patches.
 //
-// Steps, in their order: middle of the bounding box to the origin; polygons to triangles (triangulate, ears); weld; conform
-// (slivers, t_junctions, edge_splits); coincident; duplicates; orient (separate), which also finds the components; patches.
+// Steps, in their order: middle of the bounding box to the origin; polygons to triangles (triangulate); weld; conform (slivers,
+// T-junctions, edge_splits); coincident; duplicates; orient (winding), which also finds the components; patches (all in steps.h).
 // `distance` is that of welding, weld_fraction of the bounding box's diagonal, unless something else is said.
 #pragma once
 

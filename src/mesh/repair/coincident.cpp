@@ -1,5 +1,3 @@
-#include "mesh/repair/coincident.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "mesh/model/edge_table.h"
 #include "mesh/repair/edge_splits.h"
+#include "mesh/repair/steps.h"
 
 namespace raytube {
 

@@ -1,5 +1,3 @@
-#include "mesh/repair/duplicates.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include "core/error.h"
 #include "core/text.h"
 #include "mesh/model/edge_table.h"
+#include "mesh/repair/steps.h"
 
 namespace raytube {
 

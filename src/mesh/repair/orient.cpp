@@ -1,9 +1,8 @@
-#include "mesh/repair/orient.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "mesh/model/edge_table.h"
+#include "mesh/repair/steps.h"
 #include "mesh/repair/winding.h"
 
 namespace raytube {
@@ -77,8 +76,7 @@ bool only_a_gap(double border, double area) { return border > 0.0 && border * bo
 
 Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> triangles, const SeparateSoup& separate,
                  double distance) {
-  std::optional<Winding> manifold = manifold_winding(separate);
-  Winding winding = manifold ? std::move(*manifold) : cut_winding(vertices, separate);
+  Winding winding = wind_alike(vertices, separate);
   const auto& component = winding.component;
   const std::size_t components = component.empty() ? 0 : *std::ranges::max_element(component) + 1;
   const std::vector<double> border = border_lengths(vertices, sorted(std::move(winding.border)), components);

@@ -1,5 +1,3 @@
-#include "mesh/repair/patches.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <tuple>
 
 #include "mesh/model/edge_table.h"
+#include "mesh/repair/steps.h"
 
 namespace raytube {
 

@@ -1,11 +1,10 @@
-#include "mesh/repair/weld.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "mesh/model/geometry.h"
 #include "mesh/model/triangle_mesh.h"
+#include "mesh/repair/steps.h"
 
 namespace raytube {
 

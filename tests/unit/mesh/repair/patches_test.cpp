@@ -1,4 +1,4 @@
-#include "mesh/repair/patches.h"
+#include "mesh/repair/steps.h"
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
-#include "mesh/repair/separate.h"
+#include "mesh/repair/winding.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mesh/model/edge_table.h"
 
@@ -77,6 +78,73 @@ SeparateSoup separate_bodies(std::span<const dvec3> vertices, std::span<const Tr
     }
   }
   return soup;
+}
+
+namespace {
+
+/// Floods the triangles across their edges: which are to be turned over. Nothing if more than two meet at an edge, or if the
+/// surface comes back to a triangle from its other side.
+std::optional<std::vector<bool>> reversed_of_manifold(std::span<const Triangle> triangles, const EdgeTable& edges) {
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].sides.size() > 2) return {};
+  std::vector<bool> reached(triangles.size(), false), reversed(triangles.size(), false);
+  std::vector<std::uint32_t> waiting;
+  for (std::uint32_t first = 0; first < triangles.size(); ++first) {
+    if (reached[first]) continue;
+    reached[first] = true;
+    waiting.push_back(first);
+    while (!waiting.empty()) {
+      const std::uint32_t triangle = waiting.back();
+      waiting.pop_back();
+      for (int corner = 0; corner < 3; ++corner) {
+        const EdgeTable::Edge edge = edges[edges.edge_of(triangle, corner)];
+        if (edge.sides.size() < 2) continue;
+        const auto& [next, next_corner] = edge.beside(triangle);
+        const bool turned = (triangles[next][next_corner] == triangles[triangle][corner]) != reversed[triangle];
+        if (reached[next] && reversed[next] != turned) return {};
+        if (reached[next]) continue;
+        reached[next] = true;
+        reversed[next] = turned;
+        waiting.push_back(next);
+      }
+    }
+  }
+  return reversed;
+}
+
+/// A surface goes on across an edge where two triangles, turned over as they are to be, run along it in opposite senses.
+Winding winding_of(const SeparateSoup& soup, const EdgeTable& edges, std::vector<bool> reversed) {
+  const auto starts_low = [&](const EdgeTable::Edge& edge, const EdgeTable::Side& side) {
+    return (soup.triangles[side.triangle][side.corner] == edge.low) != reversed[side.triangle];
+  };
+  const auto goes_on = [&](const EdgeTable::Edge& edge) {
+    return edge.sides.size() == 2 && starts_low(edge, edge.sides[0]) != starts_low(edge, edge.sides[1]);
+  };
+  Winding winding{connected_groups(edges, soup.triangles.size(), goes_on), {}, {}};
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const EdgeTable::Edge edge = edges[e];
+    if (goes_on(edge)) continue;
+    const std::uint32_t low = soup.vertex_of[edge.low], high = soup.vertex_of[edge.high];
+    for (const EdgeTable::Side& side : edge.sides) {
+      const int sense = (low < high) == starts_low(edge, side) ? -1 : 1;  // against that of the triangle
+      winding.border.push_back({winding.component[side.triangle], std::min(low, high), std::max(low, high), sense});
+    }
+  }
+  winding.reversed = std::move(reversed);
+  return winding;
+}
+
+}  // namespace
+
+Winding wind_alike(std::span<const dvec3> vertices, const SeparateSoup& soup) {
+  const EdgeTable edges(soup.triangles, soup.vertex_of.size());
+  if (std::optional<std::vector<bool>> reversed = reversed_of_manifold(soup.triangles, edges))
+    return winding_of(soup, edges, std::move(*reversed));
+  SeparateSoup cut = soup;
+  std::vector<bool> reversed = cut_and_wind(vertices, cut);
+  Winding winding = winding_of(cut, EdgeTable(cut.triangles, cut.vertex_of.size()), std::vector<bool>(reversed.size(), false));
+  winding.reversed = std::move(reversed);
+  return winding;
 }
 
 }  // namespace raytube
