@@ -5,12 +5,12 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string_view>
 
 #include "core/text.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/gltf_data.h"
-#include "mesh/read/gltf_document.h"
+#include "mesh/read/gltf_file.h"
 
 namespace raytube {
 
@@ -145,7 +145,7 @@ class GltfParser {
 
   static std::vector<std::uint32_t> counted(std::size_t count) {
     std::vector<std::uint32_t> numbers(count);
-    for (std::size_t i = 0; i < count; ++i) numbers[i] = static_cast<std::uint32_t>(i);
+    std::iota(numbers.begin(), numbers.end(), 0u);
     return numbers;
   }
 

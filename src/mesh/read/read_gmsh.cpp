@@ -2,17 +2,92 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <unordered_map>
 
 #include "core/text.h"
+#include "mesh/files/numbers.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/read/formats.h"
-#include "mesh/read/gmsh_numbers.h"
 
 namespace raytube {
 
 namespace {
+
+/// The numbers of a Gmsh file one by one, text or binary as its head says, between words that are text in both. Each rejects the
+/// file if it ends before.
+class GmshNumbers {
+ public:
+  explicit GmshNumbers(TextScanner& scanner) : scanner_(scanner) {}
+
+  /// Reads what follows the line $MeshFormat; rejects versions other than 2.0 to 2.2 and 4.1.
+  void read_format() {
+    const std::string_view version = scanner_.word_of_any_line();
+    version_4_ = version == "4.1";
+    if (!version_4_ && version != "2" && version != "2.0" && version != "2.1" && version != "2.2")
+      scanner_.reject(
+          fmt::format("version '{}' of the Gmsh format is not read; save it as 4.1: gmsh in.msh -save -format msh41 -o "
+                      "out.msh",
+                      quotable(version)));
+    const std::string_view kind = scanner_.word(), size = scanner_.word();
+    if (kind != "0" && kind != "1")
+      scanner_.reject(
+          fmt::format("'{}' is neither 0 (text) nor 1 (binary); the file is damaged, export it again", quotable(kind)));
+    binary_ = kind == "1";
+    if (!binary_) return;
+    if (size != "8")
+      scanner_.reject(fmt::format("binary numbers of '{}' bytes are not read; save the mesh as text", quotable(size)));
+    begin();
+    const auto one = binary<std::int32_t>();
+    swapped_ = one == 1 << 24;
+    if (one != 1 && !swapped_) scanner_.reject("the head of its binary numbers is damaged; export the mesh again");
+  }
+
+  bool is_version_4() const { return version_4_; }
+  bool is_binary() const { return binary_; }
+
+  /// Passes the end of the line behind which binary numbers begin.
+  void begin() {
+    if (binary_) scanner_.skip_line();
+  }
+
+  /// Of 32 bits, with its sign.
+  std::int64_t integer() {
+    if (binary_) return binary<std::int32_t>();
+    const std::string_view word = scanner_.word_of_any_line();
+    const double value = scanner_.number(word);
+    if (value != std::trunc(value) || std::abs(value) > 0x7FFFFFFF)
+      scanner_.reject(
+          fmt::format("a whole number was expected instead of '{}'; the file is damaged, export it again", quotable(word)));
+    return static_cast<std::int64_t>(value);
+  }
+
+  /// Of 64 bits.
+  std::uint64_t size() { return binary_ ? binary<std::uint64_t>() : scanner_.count(scanner_.word_of_any_line()); }
+
+  /// The number that an element or a node goes by: 32 bits in version 2, 64 bits in version 4.1.
+  std::uint64_t tag() {
+    return binary_ && !version_4_ ? static_cast<std::uint64_t>(std::int64_t{binary<std::int32_t>()}) : size();
+  }
+
+  double coordinate() {
+    if (!binary_) return scanner_.coordinate(scanner_.word_of_any_line());
+    const auto value = binary<double>();
+    if (!std::isfinite(value)) scanner_.reject("a node has a coordinate that is not finite; correct it or export the mesh again");
+    return value;
+  }
+
+ private:
+  template <class Number>
+  Number binary() {
+    return number_at<Number>(scanner_.raw_bytes(sizeof(Number)).data(), swapped_);
+  }
+
+  TextScanner& scanner_;
+  bool version_4_ = false, binary_ = false, swapped_ = false;
+};
 
 struct ElementShape {
   std::int64_t type;
@@ -52,6 +127,18 @@ class GmshParser {
 
  private:
   std::string_view read_line_word() { return scanner_.next_line() ? scanner_.word() : std::string_view(); }
+
+  void pass_coordinates(std::int64_t count) {
+    for (; count > 0; --count) numbers_.coordinate();
+  }
+
+  /// Of version 4.1: how many blocks follow, before the numbers of all items and of the least and the largest tag.
+  std::uint64_t begin_blocks() {
+    numbers_.begin();
+    const std::uint64_t blocks = numbers_.size();
+    for (int left = 3; left > 0; --left) numbers_.size();
+    return blocks;
+  }
 
   void read_section(const std::string& name) {
     if (!name.starts_with('$'))
@@ -126,7 +213,7 @@ class GmshParser {
 
   void read_entity(int dimension) {
     const std::int64_t entity = numbers_.integer();
-    for (int left = dimension == 0 ? 3 : 6; left > 0; --left) numbers_.coordinate();  // its place, or its box
+    pass_coordinates(dimension == 0 ? 3 : 6);  // its place, or its box
     std::vector<std::string> names;
     for (std::uint64_t left = numbers_.size(); left > 0; --left) names.push_back(group_name(numbers_.integer()));
     if (dimension == 2) names_of_surface_[entity] = soup_.names.list(names);
@@ -147,10 +234,7 @@ class GmshParser {
   }
 
   void read_node_blocks() {
-    numbers_.begin();
-    std::uint64_t blocks = numbers_.size();
-    for (int left = 3; left > 0; --left) numbers_.size();  // how many, least and largest tag
-    for (; blocks > 0; --blocks) read_node_block();
+    for (std::uint64_t left = begin_blocks(); left > 0; --left) read_node_block();
   }
 
   void read_node_block() {
@@ -161,7 +245,7 @@ class GmshParser {
     for (std::uint64_t left = numbers_.size(); left > 0; --left) nodes.push_back(numbers_.tag());
     for (const std::uint64_t node : nodes) {
       add_node(node);
-      for (std::int64_t left = parametric ? dimension : 0; left > 0; --left) numbers_.coordinate();
+      if (parametric) pass_coordinates(dimension);
     }
   }
 
@@ -172,28 +256,18 @@ class GmshParser {
         fmt::format("elements of type {} have curved edges or are unknown; mesh the model in first order (gmsh -order 1)", type));
   }
 
+  /// Of version 2: each element with its type and tags, or in binary files a head for several of the same.
   void read_elements() {
     std::uint64_t left = text_count();
-    for (numbers_.begin(); left > 0;) left = numbers_.is_binary() ? read_binary_elements(left) : read_element_line(left);
-  }
-
-  /// Element, type, tags, nodes. Returns how many elements are left.
-  std::uint64_t read_element_line(std::uint64_t left) {
-    const std::uint64_t element = numbers_.tag();
-    const ElementShape& shape = shape_of(numbers_.integer());
-    const std::int64_t tags = numbers_.integer();
-    read_tagged_element(element, shape, tags);
-    return left - 1;
-  }
-
-  /// A head for several elements: type, how many, tags.
-  std::uint64_t read_binary_elements(std::uint64_t left) {
-    const ElementShape& shape = shape_of(numbers_.integer());
-    const std::int64_t count = numbers_.integer(), tags = numbers_.integer();
-    if (count < 1 || static_cast<std::uint64_t>(count) > left)
-      scanner_.reject("the counts of its elements do not agree; the file is damaged, export it again");
-    for (std::int64_t i = 0; i < count; ++i) read_tagged_element(numbers_.tag(), shape, tags);
-    return left - static_cast<std::uint64_t>(count);
+    for (numbers_.begin(); left > 0;) {
+      const std::uint64_t element = numbers_.is_binary() ? 0 : numbers_.tag();
+      const ElementShape& shape = shape_of(numbers_.integer());
+      const std::int64_t count = numbers_.is_binary() ? numbers_.integer() : 1, tags = numbers_.integer();
+      if (count < 1 || static_cast<std::uint64_t>(count) > left)
+        scanner_.reject("the counts of its elements do not agree; the file is damaged, export it again");
+      for (std::int64_t i = 0; i < count; ++i) read_tagged_element(numbers_.is_binary() ? numbers_.tag() : element, shape, tags);
+      left -= static_cast<std::uint64_t>(count);
+    }
   }
 
   /// Of version 2: the first tag is the physical group, 0 for none.
@@ -211,10 +285,7 @@ class GmshParser {
   }
 
   void read_element_blocks() {
-    numbers_.begin();
-    std::uint64_t blocks = numbers_.size();
-    for (int left = 3; left > 0; --left) numbers_.size();  // how many, least and largest tag
-    for (; blocks > 0; --blocks) read_element_block();
+    for (std::uint64_t left = begin_blocks(); left > 0; --left) read_element_block();
   }
 
   void read_element_block() {

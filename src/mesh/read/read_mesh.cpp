@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "core/error.h"
@@ -19,22 +20,19 @@ namespace {
 
 std::string ending_of(const std::filesystem::path& path) { return lower_case(path.extension().string()); }
 
-MeshParser parser_of(std::string_view ending) {
-  if (ending == ".stl") return parse_stl;
-  if (ending == ".obj") return parse_obj;
-  if (ending == ".ply") return parse_ply;
-  if (ending == ".off") return parse_off;
-  if (ending == ".msh") return parse_gmsh;
-  if (ending == ".gltf" || ending == ".glb") return parse_gltf;
-  if (ending == ".3mf") return parse_3mf;
-  return nullptr;
-}
+struct Format {
+  std::string_view ending, name;
+  MeshParser parse;
+};
 
-std::string_view format_name(std::string_view ending) {
-  static constexpr std::pair<std::string_view, std::string_view> names[] = {
-      {".stl", "an STL file"}, {".obj", "OBJ text"},   {".ply", "a PLY file"},         {".off", "an OFF file"},
-      {".msh", "a Gmsh file"}, {".gltf", "glTF text"}, {".glb", "a binary glTF file"}, {".3mf", "a 3MF file"}};
-  return std::ranges::find(names, ending, &std::pair<std::string_view, std::string_view>::first)->second;
+/// Nothing for other endings.
+const Format* format_of(std::string_view ending) {
+  static constexpr Format formats[] = {{".stl", "an STL file", parse_stl},         {".obj", "OBJ text", parse_obj},
+                                       {".ply", "a PLY file", parse_ply},          {".off", "an OFF file", parse_off},
+                                       {".msh", "a Gmsh file", parse_gmsh},        {".gltf", "glTF text", parse_gltf},
+                                       {".glb", "a binary glTF file", parse_gltf}, {".3mf", "a 3MF file", parse_3mf}};
+  const auto* found = std::ranges::find(formats, ending, &Format::ending);
+  return found == std::end(formats) ? nullptr : found;
 }
 
 /// Throws InputError if the file shows that it is something else than its ending says; `behind` follows each ending.
@@ -42,7 +40,8 @@ void reject_other_contents(const MeshFile& file, std::string_view ending, std::s
   if (is_gzip(file.bytes)) file.reject("is gzip data; add .gz to its name");
   const std::string_view meant = mesh_ending_of(file.bytes);
   if (meant == ending) return;
-  if (!meant.empty()) file.reject(fmt::format("looks like {}; give its name the ending {}{}", format_name(meant), meant, behind));
+  if (!meant.empty())
+    file.reject(fmt::format("looks like {}; give its name the ending {}{}", format_of(meant)->name, meant, behind));
   if (const std::string other = other_contents(file.bytes); !other.empty()) file.reject(other);
 }
 
@@ -81,8 +80,8 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
     if (is_gzip(file.bytes)) file.reject("was compressed twice; unpack it once");
     ending = ending_of(path.stem());
   }
-  const MeshParser parse = parser_of(ending);
-  if (!parse) {
+  const Format* format = format_of(ending);
+  if (!format) {
     reject_other_contents(file, ending, packed);
     file.reject(
         fmt::format("the ending '{}' is not a known mesh format; use .stl, .obj, .ply, .off, .msh, .gltf, .glb or .3mf, or "
@@ -90,7 +89,7 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
                     quotable(ending)));
   }
   try {
-    return read_polygon_soup(file, parse);
+    return read_polygon_soup(file, format->parse);
   } catch (const InputError&) {
     reject_other_contents(file, ending, packed);  // says more than the first word that is not of the format
     throw;
