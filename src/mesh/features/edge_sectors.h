@@ -47,7 +47,8 @@ struct FaceFrame {
   dvec3 normal;
 };
 
-/// The frame of faces[0] (`index` 0) or faces[1] of a sector about `tangent`, a unit vector.
+/// The frame of faces[0] (`index` 0) or faces[1] of a sector about `tangent`, a unit vector; `outward` is normal to the face, about.
+FaceFrame face_frame(const dvec3& outward, const dvec3& tangent, int index);
 FaceFrame face_frame(const TriangleMesh& mesh, const PatchSide& side, const dvec3& tangent, int index);
 
 /// Angle from faces[0] to faces[1] counter-clockwise, 0 ... 2 pi [rad].

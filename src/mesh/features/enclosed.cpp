@@ -15,12 +15,12 @@ constexpr std::size_t most_bodies = 16;
 class EnclosedComponents {
  public:
   explicit EnclosedComponents(const FaceTree& tree)
-      : tree_(tree), mesh_(tree.mesh()), boxes_(mesh_.components.size()), triangles_(mesh_.components.size()) {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const std::uint32_t component = mesh_.triangle_component[t];
-      triangles_[component].push_back(t);
-      for (const std::uint32_t v : mesh_.triangles[t]) boxes_[component].add(mesh_.vertices[v]);
-    }
+      : tree_(tree),
+        mesh_(tree.mesh()),
+        boxes_(mesh_.components.size()),
+        triangles_(triangle_rows(boxes_.size(), mesh_.triangle_component)) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh_.triangles[t]) boxes_[mesh_.triangle_component[t]].add(mesh_.vertices[v]);
   }
 
   std::vector<bool> run() {
@@ -46,23 +46,15 @@ class EnclosedComponents {
     const Box &outer = boxes_[body], &inner = boxes_[component];
     if (!glm::all(glm::lessThan(outer.low, inner.low)) || !glm::all(glm::lessThan(inner.high, outer.high))) return false;
     terms_ += triangles_[body].size();
-    return terms_ <= most_terms && winds_about(body, mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]]) &&
+    const dvec3& corner = mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]];
+    // A winding number is a whole one.
+    return terms_ <= most_terms && std::abs(winding_number(mesh_, triangles_[body], corner) - 1.0) < 0.1 &&
            std::ranges::none_of(triangles_[component], [&](std::uint32_t t) { return may_touch(body, t); });
-  }
-
-  bool winds_about(std::uint32_t body, const dvec3& point) const {
-    double sum = 0.0;
-    for (const std::uint32_t t : triangles_[body]) {
-      const auto [a, b, c] = mesh_.corners(t);
-      sum += solid_angle({a - point, b - point, c - point});
-    }
-    return std::abs(sum / (4.0 * pi) - 1.0) < 0.1;  // else it is another whole number
   }
 
   // Two triangles are apart if one lies clear of the other's plane; some others are, too.
   bool may_touch(std::uint32_t body, std::uint32_t triangle) {
-    Box box;
-    for (const std::uint32_t v : mesh_.triangles[triangle]) box.add(mesh_.vertices[v]);
+    const Box box = bounding_box(mesh_.corners(triangle));
     const Patch bottom{dvec3(0, 0, 1), box.low.z};
     tree_.collect(
         {dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(box.low), dvec2(box.high), box.high.z, &bottom},
@@ -84,8 +76,8 @@ class EnclosedComponents {
 
   const FaceTree& tree_;
   const TriangleMesh& mesh_;
-  std::vector<Box> boxes_;                             // of the components
-  std::vector<std::vector<std::uint32_t>> triangles_;  // of the components
+  std::vector<Box> boxes_;  // of the components
+  TriangleRows triangles_;  // of the components
   std::uint64_t terms_ = 0;
   double margin_ = flat_fraction * 2.0 * mesh_.radius;
   std::vector<std::uint32_t> found_;

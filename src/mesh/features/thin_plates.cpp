@@ -135,10 +135,8 @@ Wedge half_plane(const ThinPlateEdge& edge, double n) {
   const dvec3 tangent = glm::normalize(edge.end - edge.start);
   std::array<FaceFrame, 2> frames;
   for (int i = 0; i < 2; ++i) {
-    WedgeFace& face = wedge.faces[i];
-    face.normal = glm::normalize(face.normal - glm::dot(face.normal, tangent) * tangent);
-    face.into_face = i == 0 ? glm::cross(face.normal, tangent) : glm::cross(tangent, face.normal);
-    frames[i] = {face.into_face, face.normal};
+    frames[i] = face_frame(wedge.faces[i].normal, tangent, i);
+    wedge.faces[i].into_face = frames[i].into_face, wedge.faces[i].normal = frames[i].normal;
   }
   wedge.n = refined_n(frames[0], frames[1], n);
   return wedge;

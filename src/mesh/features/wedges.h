@@ -1,6 +1,6 @@
 // Wedge edges of a mesh: where two exposed faces, or the two sides of an open surface, meet at an angle.
 //
-// mesh/features finds in a TriangleMesh what the methods ask for: free sectors around edges (edge_sectors, edge_runs), wedges and
+// mesh/features finds in a TriangleMesh what the methods ask for: free sectors around edges (edge_sectors), wedges and
 // the outlines of their faces, thin plates, surfaces that facets stand for (smooth), symmetry, convexity, what is enclosed.
 // Notation, as of the edge currents: faces 0 and 1 of a wedge, each with x_f (into_face) and n_f (normal), t (tangent).
 #pragma once

@@ -75,4 +75,13 @@ double solid_angle(const Corners& corners) {
   return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
 }
 
+double winding_number(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const dvec3& point) {
+  double sum = 0.0;
+  for (const std::uint32_t t : triangles) {
+    const auto [a, b, c] = mesh.corners(t);
+    sum += solid_angle({a - point, b - point, c - point});
+  }
+  return sum / (4.0 * pi);
+}
+
 }  // namespace raytube

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "core/field.h"
+#include "mesh/model/triangle_mesh.h"
 
 namespace raytube {
 
@@ -21,5 +22,9 @@ bool lie_upon_one_another(const Corners& a, const Corners& b, double distance);
 /// Solid angle of a triangle as the origin sees it, above zero if it runs counter-clockwise there (van Oosterom & Strackee 1983,
 /// IEEE Trans. BME-30, 125) [sr].
 double solid_angle(const Corners& corners);
+
+/// How often these triangles wind about a point: those of a closed component wound outward once if it is inside, and never
+/// outside; else something between.
+double winding_number(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const dvec3& point);
 
 }  // namespace raytube

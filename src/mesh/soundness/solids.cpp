@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
 #include "core/text.h"
 #include "mesh/model/triangle_pairs.h"
-#include "mesh/soundness/contacts.h"
 
 namespace raytube {
 
@@ -47,21 +47,57 @@ void check_whole_bodies(const TriangleMesh& mesh, std::span<const Material> mate
   }
 }
 
-// Solid angle of a component from a point over 4 pi: 1 inside, 0 outside.
-double winding_about(const TriangleMesh& mesh, std::uint32_t component, const dvec3& point) {
-  double angle = 0.0;
+// Two triangles, of different bodies.
+struct Contact {
+  std::uint32_t first, second;  // `second` is a triangle of the solid
+};
+
+// Of triangles with a corner in common so much is looked at.
+constexpr double inner_part = 0.98;
+
+Corners inner(Corners corners) {
+  const dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  for (dvec3& corner : corners) corner = middle + inner_part * (corner - middle);
+  return corners;
+}
+
+bool touch(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t other, double margin) {
+  const Corners a = mesh.corners(t), b = mesh.corners(other);
+  if (!share_corner(mesh.triangles[t], mesh.triangles[other])) return !are_apart(a, b, margin);
+  return !are_apart(inner(a), inner(b), margin);
+}
+
+// Fills `found` with faces whose boxes reach into that of a triangle, widened by `margin`.
+void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found) {
+  const Box box = bounding_box(corners);
+  const dvec3 low = box.low - margin, high = box.high + margin;
+  const Patch bottom{dvec3(0, 0, 1), low.z};
+  const Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(low), dvec2(high), high.z, &bottom, 1.0};
+  faces.collect(prism, found);
+}
+
+// The first triangle that comes within rounding of one of a solid of another component; where they have a corner in common, one
+// that also goes on beyond it.
+std::optional<Contact> find_contact(const FaceTree& faces, const std::vector<std::uint32_t>& solids) {
+  const TriangleMesh& mesh = faces.mesh();
+  const double margin = flat_fraction * 2.0 * mesh.radius;
+  std::vector<std::uint32_t> found;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.triangle_component[t] != component) continue;
-    const auto [a, b, c] = mesh.corners(t);
-    angle += solid_angle({a - point, b - point, c - point});
+    collect_near(faces, mesh.corners(t), margin, found);
+    for (const std::uint32_t face : found)
+      for (const std::uint32_t other : faces.triangles(face)) {
+        const std::uint32_t component = mesh.triangle_component[other];
+        if (component != mesh.triangle_component[t] && solids[component] != no_index && touch(mesh, t, other, margin))
+          return Contact{t, other};
+      }
   }
-  return angle / (4.0 * pi);
+  return {};
 }
 
 void check_contacts(const FaceTree& faces, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
   const TriangleMesh& mesh = faces.mesh();
   if (mesh.components.size() == 1) return;
-  const auto contact = find_contact(faces, [&](std::uint32_t component) { return solids[component] != no_index; });
+  const std::optional<Contact> contact = find_contact(faces, solids);
   if (!contact) return;
   const dvec3 at = mesh.vertices[mesh.triangles[contact->first][0]] + mesh.center;
   throw InputError(
@@ -73,6 +109,7 @@ void check_contacts(const FaceTree& faces, std::span<const Material> materials, 
 
 // Components that do not touch are inside with all of their corners or with none.
 void check_inside(const TriangleMesh& mesh, std::span<const Material> materials, const std::vector<std::uint32_t>& solids) {
+  const TriangleRows of_component = triangle_rows(mesh.components.size(), mesh.triangle_component);
   std::vector<bool> seen(mesh.components.size() * (materials.size() + 1), false);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t own = mesh.triangle_component[t], material = mesh.patch_of(t).material;
@@ -80,7 +117,7 @@ void check_inside(const TriangleMesh& mesh, std::span<const Material> materials,
     if (seen[own * (materials.size() + 1) + material]) continue;
     seen[own * (materials.size() + 1) + material] = true;
     for (std::uint32_t c = 0; c < solids.size(); ++c)
-      if (c != own && solids[c] != no_index && winding_about(mesh, c, mesh.vertices[mesh.triangles[t][0]]) > 0.5)
+      if (c != own && solids[c] != no_index && winding_number(mesh, of_component[c], mesh.vertices[mesh.triangles[t][0]]) > 0.5)
         throw InputError(
             fmt::format("a body of material \"{}\" stands inside of one of \"{}\", of kind \"solid\", where only smooth "
                         "conductors and absorbers can be; leave it out of the mesh, or make it \"pec\"",

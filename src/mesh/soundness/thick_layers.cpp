@@ -46,10 +46,9 @@ std::vector<LayeredBody> bodies_of(const TriangleMesh& mesh, std::span<const Mat
 double extent_along(const TriangleMesh& mesh, const LayeredBody& body, const dvec3& direction) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const std::uint32_t t : body.triangles)
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      const double at = glm::dot(direction, mesh.vertices[v]);
-      low = std::min(low, at);
-      high = std::max(high, at);
+    for (const dvec3& corner : mesh.corners(t)) {
+      low = std::min(low, glm::dot(direction, corner));
+      high = std::max(high, glm::dot(direction, corner));
     }
   return high - low;
 }

@@ -121,6 +121,19 @@ void ExactHit::keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_
     if (accept(candidate)) keep_nearer(ray, candidate, ignored_patches, nearest);
 }
 
+// The same with those of an ascending list.
+template <class Accept>
+void ExactHit::keep_nearer_of(std::span<const std::uint32_t> list, const Ray& ray, const IgnoredPatches& ignored_patches,
+                              Hit& nearest, Accept accept) const {
+  if (is_long(list))
+    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t candidate) {
+      return std::ranges::binary_search(list, candidate) && accept(candidate);
+    });
+  else
+    for (const std::uint32_t candidate : list)
+      if (accept(candidate)) keep_nearer(ray, candidate, ignored_patches, nearest);
+}
+
 bool ExactHit::has_long_corner(std::uint32_t triangle) const {
   return std::ranges::any_of(mesh_.triangles[triangle], [&](std::uint32_t vertex) { return is_long(at_vertex_[vertex]); });
 }
@@ -187,10 +200,7 @@ bool ExactHit::stays_off(const Ray& ray, std::uint32_t patch) const {
 void ExactHit::keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches,
                                     Hit& nearest) const {
   if (is_ignored(ray, grazed, ignored_patches) || !plane_ahead(ray, grazed) || stays_off(ray, grazed)) return;
-  if (is_long(of_patch_[grazed]))
-    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t other) { return patch(other) == grazed; });
-  else
-    for (const std::uint32_t other : of_patch_[grazed]) keep_nearer(ray, other, ignored_patches, nearest);
+  keep_nearer_of(of_patch_[grazed], ray, ignored_patches, nearest, [](std::uint32_t) { return true; });
 }
 
 // Into the closed body whose surface it leaves.
@@ -219,21 +229,10 @@ Ray ExactHit::moved_back(const Ray& ray) const {
 Hit ExactHit::front_of(const Ray& ray, const Hit& hit, const IgnoredPatches& ignored_patches) const {
   if (!hit || !is_lost(ray, hit.triangle)) return hit;
   Hit front;
-  if (has_long_corner(hit.triangle))
-    keep_nearer_of_all(ray, ignored_patches, front, [&](std::uint32_t other) {
-      return share_corner(mesh_.triangles[hit.triangle], mesh_.triangles[other]) && !meets_from_inside(ray, other);
-    });
-  else
-    for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
-      for (const std::uint32_t candidate : at_vertex_[vertex])
-        if (!meets_from_inside(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
-  if (is_long(near_coincident_[hit.triangle]))
-    keep_nearer_of_all(ray, ignored_patches, front, [&](std::uint32_t other) {
-      return std::ranges::binary_search(near_coincident_[hit.triangle], other) && !meets_from_inside(ray, other);
-    });
-  else
-    for (const std::uint32_t candidate : near_coincident_[hit.triangle])
-      if (!meets_from_inside(ray, candidate)) keep_nearer(ray, candidate, ignored_patches, front);
+  const auto is_front = [&](std::uint32_t candidate) { return !meets_from_inside(ray, candidate); };
+  for (const std::uint32_t vertex : mesh_.triangles[hit.triangle])
+    keep_nearer_of(at_vertex_[vertex], ray, ignored_patches, front, is_front);
+  keep_nearer_of(near_coincident_[hit.triangle], ray, ignored_patches, front, is_front);
   if (!front) return hit;
   const double least = std::min(std::abs(glm::dot(mesh_.patches[patch(hit.triangle)].normal, ray.direction)),
                                 std::abs(glm::dot(mesh_.patches[patch(front.triangle)].normal, ray.direction)));

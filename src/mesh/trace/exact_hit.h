@@ -111,6 +111,9 @@ class ExactHit {
   void keep_nearer_of_patch(const Ray& ray, std::uint32_t grazed, const IgnoredPatches& ignored_patches, Hit& nearest) const;
   template <class Accept>
   void keep_nearer_of_all(const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest, Accept accept) const;
+  template <class Accept>
+  void keep_nearer_of(std::span<const std::uint32_t> list, const Ray& ray, const IgnoredPatches& ignored_patches, Hit& nearest,
+                      Accept accept) const;
 
   const TriangleMesh& mesh_;
   std::size_t longest_list_;
