@@ -28,40 +28,33 @@ void find_near(const PointTree& tree, const dvec3& at, double distance, std::vec
 }
 
 // Where patches end: edges at which anything but two triangles of one patch meet. Or, with `facets`, all edges.
-class Outline {
- public:
-  Outline(const TriangleMesh& mesh, bool facets) : mesh_(mesh), edges_(mesh.edges()) {
-    std::vector<bool> used(mesh.vertices.size());
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const EdgeTable::Edge edge = edges_[e];
-      if (!facets && mesh.is_inside_patch(edge)) continue;
-      ends_.push_back(e);
-      used[edge.low] = used[edge.high] = true;
-    }
-    for (std::uint32_t v = 0; v < used.size(); ++v)
-      if (used[v]) corners_.push_back(v);
-  }
-
-  const TriangleMesh& mesh() const { return mesh_; }
-  const EdgeTable& edges() const { return edges_; }
-  const std::vector<std::size_t>& ends() const { return ends_; }          // indices in edges()
-  const std::vector<std::uint32_t>& corners() const { return corners_; }  // their vertices
-  std::uint32_t patch(const EdgeTable::Side& side) const { return mesh_.triangle_patch[side.triangle]; }
-
- private:
-  const TriangleMesh& mesh_;
-  const EdgeTable& edges_;
-  std::vector<std::size_t> ends_;
-  std::vector<std::uint32_t> corners_;
+struct Outline {
+  std::vector<std::size_t> ends{};       // among the edges of the mesh
+  std::vector<std::uint32_t> corners{};  // their vertices
 };
+
+Outline outline_of(const TriangleMesh& mesh, bool facets) {
+  const EdgeTable& edges = mesh.edges();
+  Outline outline;
+  std::vector<bool> used(mesh.vertices.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!facets && mesh.is_inside_patch(edges[e])) continue;
+    outline.ends.push_back(e);
+    used[edges[e].low] = used[edges[e].high] = true;
+  }
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v]) outline.corners.push_back(v);
+  return outline;
+}
 
 // The target against its image across one plane. If every outline edge has an image, with the images of its patches, and patches
 // are one another's images in pairs, then every patch has the image of its plane and of all its borders.
 class PatchSymmetry {
  public:
-  PatchSymmetry(const Outline& outline, const PointTree& corners, int axis)
+  PatchSymmetry(const TriangleMesh& mesh, const Outline& outline, const PointTree& corners, int axis)
       : outline_(outline),
-        mesh_(outline.mesh()),
+        mesh_(mesh),
+        edges_(mesh.edges()),
         tree_(corners),
         axis_(axis),
         rounding_(symmetry_rounding(mesh_)),
@@ -69,8 +62,8 @@ class PatchSymmetry {
         image_of_patch_(mesh_.patches.size(), no_index) {}
 
   bool is_symmetry() {
-    return std::ranges::all_of(outline_.corners(), [&](std::uint32_t v) { return find_image(v); }) &&
-           std::ranges::all_of(outline_.ends(), [&](std::size_t e) { return has_image(outline_.edges()[e]); }) &&
+    return std::ranges::all_of(outline_.corners, [&](std::uint32_t v) { return find_image(v); }) &&
+           std::ranges::all_of(outline_.ends, [&](std::size_t e) { return has_image(edges_[e]); }) &&
            std::ranges::all_of(image_of_patch_, [&](std::uint32_t& q) { return image_of_patch_[q] == &q - &image_of_patch_[0]; });
   }
 
@@ -85,16 +78,16 @@ class PatchSymmetry {
 
   bool has_image(const EdgeTable::Edge& edge) {
     const auto [low, high] = std::minmax(image_of_vertex_[edge.low], image_of_vertex_[edge.high]);
-    const std::size_t found = outline_.edges().find(low, high);
-    if (found == outline_.edges().size()) return false;
-    const auto others = outline_.edges()[found].sides;
+    const std::size_t found = edges_.find(low, high);
+    if (found == edges_.size()) return false;
+    const auto others = edges_[found].sides;
     return others.size() == edge.sides.size() && std::ranges::all_of(edge.sides, [&](const EdgeTable::Side& side) {
              return std::ranges::any_of(others, [&](const auto& other) { return is_image(side, other, edge); });
            });
   }
 
   bool is_image(const EdgeTable::Side& side, const EdgeTable::Side& other, const EdgeTable::Edge& edge) {
-    const std::uint32_t p = outline_.patch(side), q = outline_.patch(other);
+    const std::uint32_t p = mesh_.triangle_patch[side.triangle], q = mesh_.triangle_patch[other.triangle];
     if (image_of_patch_[p] != no_index) return image_of_patch_[p] == q;
     const bool closed = mesh_.closed(side.triangle);
     if (closed != mesh_.closed(other.triangle) || !is_image(mesh_.patches[p], mesh_.patches[q], closed, edge)) return false;
@@ -114,6 +107,7 @@ class PatchSymmetry {
 
   const Outline& outline_;
   const TriangleMesh& mesh_;
+  const EdgeTable& edges_;
   const PointTree& tree_;
   int axis_;
   double rounding_;
@@ -157,12 +151,12 @@ class WedgeSymmetry {
 }  // namespace
 
 std::array<bool, 3> find_symmetry_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets) {
-  const Outline outline(mesh, facets);
-  const PointTree corners(mesh.vertices, outline.corners());
+  const Outline outline = outline_of(mesh, facets);
+  const PointTree corners(mesh.vertices, outline.corners);
   WedgeSymmetry edges(mesh, wedges);
   std::array<bool, 3> planes;
   for (int axis = 0; axis < 3; ++axis)
-    planes[axis] = PatchSymmetry(outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
+    planes[axis] = PatchSymmetry(mesh, outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
   return planes;
 }
 

@@ -14,28 +14,22 @@ namespace raytube {
 
 namespace {
 
-/// The statements that make a curve or a surface of the control points before them, those of older versions too (Wavefront,
+enum class Statement { vertex, facet, name, free_form, without_surface, unknown };
+
+/// Of free form are those that make a curve or a surface of the control points before them, in older versions too (Wavefront,
 /// Advanced Visualizer manual, 1992, appendix B1). `cstype`, `parm` and others only belong to one of these.
-bool is_free_form(std::string_view keyword) {
-  static constexpr std::string_view keywords[] = {"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp"};
-  return std::ranges::find(keywords, keyword) != std::end(keywords);
-}
-
-bool is_facet(std::string_view keyword) { return keyword == "f" || keyword == "fo"; }  // fo: in older versions
-
-/// Statements that carry no polygons.
-bool is_passed_over(std::string_view keyword) {
-  static constexpr std::string_view keywords[] = {
+Statement statement_of(std::string_view keyword) {
+  static constexpr std::string_view free_form[] = {"curv", "curv2", "surf", "bzp", "bsp", "cdc", "cdp"};
+  static constexpr std::string_view without_surface[] = {
       "vt",  "vn",   "vp",    "l",      "p",     "s",     "mg",       "mtllib",   "usemap",     "maplib",
       "deg", "bmat", "step",  "cstype", "parm",  "trim",  "hole",     "scrv",     "sp",         "end",
       "con", "res",  "bevel", "lod",    "ctech", "stech", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
-  return std::ranges::find(keywords, keyword) != std::end(keywords);
-}
-
-bool is_name(std::string_view keyword) { return keyword == "g" || keyword == "o" || keyword == "usemtl"; }
-
-bool is_statement(std::string_view keyword) {
-  return keyword == "v" || is_facet(keyword) || is_name(keyword) || is_free_form(keyword) || is_passed_over(keyword);
+  if (keyword == "v") return Statement::vertex;
+  if (keyword == "f" || keyword == "fo") return Statement::facet;  // fo: in older versions
+  if (keyword == "g" || keyword == "o" || keyword == "usemtl") return Statement::name;
+  if (std::ranges::find(free_form, keyword) != std::end(free_form)) return Statement::free_form;
+  const bool is_known = std::ranges::find(without_surface, keyword) != std::end(without_surface);
+  return is_known ? Statement::without_surface : Statement::unknown;
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -58,12 +52,13 @@ class ObjParser {
   PolygonSoup parse() {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.word();
-      if (keyword == "v") read_vertex();
-      if (is_facet(keyword)) read_facet();
-      if (is_free_form(keyword)) ++soup_.free_forms;
-      if (!is_statement(keyword)) note_unknown(keyword);
-      if (is_name(keyword)) read_names(keyword);
-      if (keyword != "mtllib" && !is_name(keyword)) pass_words();
+      const Statement statement = statement_of(keyword);
+      if (statement == Statement::vertex) read_vertex();
+      if (statement == Statement::facet) read_facet();
+      if (statement == Statement::free_form) ++soup_.free_forms;
+      if (statement == Statement::unknown) note_unknown(keyword);
+      if (statement == Statement::name) read_names(keyword);
+      if (keyword != "mtllib" && statement != Statement::name) pass_words();
     }
     if (unknown_ > 0)
       soup_.remarks.push_back(fmt::format(
@@ -89,7 +84,7 @@ class ObjParser {
   std::string_view next_word() {
     const std::size_t line = scanner_.line();
     const std::string_view word = scanner_.word();
-    if (scanner_.line() != line && is_statement(word))
+    if (scanner_.line() != line && statement_of(word) != Statement::unknown)
       scanner_.reject(fmt::format("'{}' continues the line before, which ends in a backslash; remove that", word));
     return word;
   }

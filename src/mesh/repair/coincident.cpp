@@ -4,7 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include "mesh/model/edge_table.h"
 #include "mesh/repair/edge_splits.h"
 #include "mesh/repair/steps.h"
 
@@ -29,8 +28,7 @@ class FaceGroups {
       return edge.sides.size() == 2 && alike(edge.sides[0].triangle, edge.sides[1].triangle) &&
              crossable(edge, apex(edge.sides[0]), apex(edge.sides[1]));
     });
-    for (std::uint32_t t = 0; t < group_.size(); ++t) members_.emplace_back(group_[t], t);
-    std::ranges::sort(members_);
+    members_ = triangle_rows(group_.empty() ? 0 : *std::ranges::max_element(group_) + 1, group_);
     std::vector<std::uint32_t> beside;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       beside.clear();
@@ -41,9 +39,9 @@ class FaceGroups {
     std::ranges::sort(outlines_);
   }
 
-  std::uint32_t size() const { return members_.empty() ? 0 : members_.back().first + 1; }
+  std::uint32_t size() const { return members_.size(); }
   std::uint32_t group_of(std::uint32_t triangle) const { return group_[triangle]; }
-  auto triangles(std::uint32_t group) const { return entries_of(members_, group); }
+  std::span<const std::uint32_t> triangles(std::uint32_t group) const { return members_[group]; }
   auto outline(std::uint32_t group) const { return entries_of(outlines_, group); }
 
   /// The outline without the vertices on its straight sides, in an order of its own.
@@ -67,21 +65,21 @@ class FaceGroups {
 
   dvec3 area(std::uint32_t group) const {
     dvec3 sum(0.0);
-    for (const auto& [number, t] : triangles(group)) sum += area_vector(vertices_, facets_.triangles[t]);
+    for (const std::uint32_t t : triangles(group)) sum += area_vector(vertices_, facets_.triangles[t]);
     return sum;
   }
 
   /// Whether both lie in one plane, that of the largest triangle of `a`.
   bool in_one_plane(std::uint32_t a, std::uint32_t b) const {
     dvec3 normal(0.0), origin(0.0);
-    for (const auto& [number, t] : triangles(a)) {
+    for (const std::uint32_t t : triangles(a)) {
       const dvec3 here = area_vector(vertices_, facets_.triangles[t]);
       if (glm::length(here) <= glm::length(normal)) continue;
       normal = here, origin = vertices_[facets_.triangles[t][0]];
     }
     const double most = flat_per_weld * distance_ * glm::length(normal);
-    const auto lies_in_it = [&](const auto& member) {
-      return std::ranges::all_of(facets_.triangles[member.second],
+    const auto lies_in_it = [&](std::uint32_t t) {
+      return std::ranges::all_of(facets_.triangles[t],
                                  [&](std::uint32_t v) { return std::abs(glm::dot(vertices_[v] - origin, normal)) <= most; });
     };
     return std::ranges::all_of(triangles(a), lies_in_it) && std::ranges::all_of(triangles(b), lies_in_it);
@@ -143,9 +141,9 @@ class FaceGroups {
   const Facets& facets_;
   double distance_;
   EdgeTable edges_;
-  std::vector<std::uint32_t> group_;                              // [triangle]
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> members_;  // group, triangle
-  std::vector<std::pair<std::uint32_t, Ends>> outlines_;          // group, edge
+  std::vector<std::uint32_t> group_;                      // [triangle]
+  TriangleRows members_;                                  // of each group
+  std::vector<std::pair<std::uint32_t, Ends>> outlines_;  // group, edge
 };
 
 bool same_ends(const Chains& a, const Chains& b) {
@@ -177,8 +175,7 @@ std::vector<std::vector<std::uint32_t>> groups_of_one_outline(const FaceGroups& 
     if (end - begin < 2) continue;
     std::vector<std::uint32_t>& alike = found.emplace_back();
     for (auto entry = begin; entry != end; ++entry) alike.push_back(entry->second);
-    std::ranges::stable_sort(alike, std::greater(),
-                             [&](std::uint32_t group) { return std::ranges::size(groups.triangles(group)); });
+    std::ranges::stable_sort(alike, std::greater(), [&](std::uint32_t group) { return groups.triangles(group).size(); });
   }
   return found;
 }
@@ -216,7 +213,7 @@ void split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& repo
 
 std::vector<Triangle> corners_of(const FaceGroups& groups, const Facets& facets, std::uint32_t group) {
   std::vector<Triangle> all;
-  for (const auto& [number, t] : groups.triangles(group)) {
+  for (const std::uint32_t t : groups.triangles(group)) {
     Triangle& corners = all.emplace_back(facets.triangles[t]);
     std::ranges::sort(corners);
   }
@@ -234,7 +231,7 @@ void replace_triangles(const FaceGroups& groups, const std::vector<std::uint32_t
     if (other == group || done[group]) continue;
     done[group] = true;
     const bool turned = glm::dot(groups.area(group), groups.area(other)) < 0.0;
-    for (const auto& [number, t] : groups.triangles(other)) {
+    for (const std::uint32_t t : groups.triangles(other)) {
       const auto& [a, b, c] = facets.triangles[t];
       result.add(turned ? Triangle{a, c, b} : Triangle{a, b, c}, facets, i);
     }

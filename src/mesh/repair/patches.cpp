@@ -38,7 +38,8 @@ class Sum {
 /// A plane through many triangles: normal and centroid weighted by area, so that the more it holds the better it is known.
 class GrowingPlane {
  public:
-  void add(const dvec3& a, const dvec3& b, const dvec3& c) {
+  void add(const std::array<dvec3, 3>& corners) {
+    const auto& [a, b, c] = corners;
     const dvec3 area = area_vector(a, b, c);
     area_.add(area);
     moment_.add(glm::length(area) * glm::dvec4((a + b + c) / 3.0, 1.0));
@@ -95,16 +96,16 @@ class PatchFinder {
       ++counts[patch];
       off[patch] = std::max(off[patch], distance_from(mesh_.patches[patch], mesh_.triangles[t]));
     }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> on;  // vertex, patch
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (const std::uint32_t p = mesh_.triangle_patch[t]; counts[p] > 1 && off[p] <= rounding_steps * mesh_.coordinate_step)
-        for (const std::uint32_t v : mesh_.triangles[t]) on.emplace_back(v, p);
-    std::ranges::sort(on);
-    on.erase(std::unique(on.begin(), on.end()), on.end());
     const double extent = bounding_box(mesh_.vertices).diagonal();
-    for (std::size_t first = 0, last = 0; first < on.size(); first = last) {
-      while (last < on.size() && on[last].first == on[first].first) ++last;
-      put_on_planes(std::span(on).subspan(first, last - first), extent);
+    std::vector<std::uint32_t> planes;  // of one vertex
+    for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
+      planes.clear();
+      for (const std::uint32_t t : mesh_.at_vertex()[v])
+        if (const std::uint32_t p = mesh_.triangle_patch[t]; counts[p] > 1 && off[p] <= rounding_steps * mesh_.coordinate_step)
+          planes.push_back(p);
+      std::ranges::sort(planes);
+      planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+      put_on_planes(mesh_.vertices[v], planes, extent);
     }
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       if (counts[mesh_.triangle_patch[t]] == 1 && height(mesh_.vertices, mesh_.triangles[t]) > 0.0)
@@ -146,31 +147,28 @@ class PatchFinder {
 
   /// To where these planes meet, three at most, in order of their largest triangles: to each of them along its normal without
   /// leaving those before (Gram-Schmidt). A plane that is almost one of these is left alone.
-  void put_on_planes(std::span<const std::pair<std::uint32_t, std::uint32_t>> on, double extent) {
-    dvec3& vertex = mesh_.vertices[on[0].first];
-    const auto off = [&](const Patch& plane) { return plane.height(vertex); };
-    const auto is_off = [&](const auto& entry) { return std::abs(off(mesh_.patches[entry.second])) > exact * extent; };
-    if (std::ranges::none_of(on, is_off)) return;
+  void put_on_planes(dvec3& vertex, std::span<const std::uint32_t> planes, double extent) const {
+    const auto off = [&](std::uint32_t p) { return mesh_.patches[p].height(vertex); };
+    if (std::ranges::none_of(planes, [&](std::uint32_t p) { return std::abs(off(p)) > exact * extent; })) return;
     const dvec3 as_read = vertex;
     for (int round = 0; round < 2; ++round) {  // the second one mends rounding
       std::array<dvec3, 3> before;
       std::size_t count = 0;
-      for (const auto& [v, p] : on) {
+      for (const std::uint32_t p : planes) {
         dvec3 way = mesh_.patches[p].normal;
         for (std::size_t i = 0; i < count; ++i) way -= glm::dot(way, before[i]) * before[i];
         const double sine = glm::length(way);
         if (count == 3 || sine < least_sine) continue;
         before[count++] = way / sine;
-        vertex -= off(mesh_.patches[p]) / sine * before[count - 1];
+        vertex -= off(p) / sine * before[count - 1];
       }
     }
     if (glm::distance(vertex, as_read) > farthest_steps * mesh_.coordinate_step) vertex = as_read;
   }
 
   Patch plane_of(std::uint32_t triangle) const {
-    const auto& [a, b, c] = mesh_.triangles[triangle];
     GrowingPlane plane;
-    plane.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+    plane.add(mesh_.corners(triangle));
     return plane.plane();
   }
 
@@ -205,8 +203,7 @@ class PatchFinder {
   }
 
   std::array<dvec3, 3> corners_in_order(std::uint32_t triangle) const {
-    std::array<dvec3, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[k] = mesh_.vertices[mesh_.triangles[triangle][k]];
+    std::array<dvec3, 3> corners = mesh_.corners(triangle);
     std::ranges::sort(corners, before);
     return corners;
   }
@@ -218,8 +215,7 @@ class PatchFinder {
     GrowingPlane growing;
     queue_.clear();
     const auto take = [&](std::uint32_t triangle) {
-      const auto& [a, b, c] = mesh_.triangles[triangle];
-      growing.add(mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]);
+      growing.add(mesh_.corners(triangle));
       mesh_.triangle_patch[triangle] = patch;
       queue_.push_back(triangle);
     };
