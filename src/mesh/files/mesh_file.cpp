@@ -13,11 +13,6 @@ namespace raytube {
 
 namespace {
 
-// Tables of numbers shrink to a third or a tenth, regular grids in a plane to a twentieth; deflate itself reaches 1/1032 (zlib,
-// technical details), of zeros.
-constexpr std::uintmax_t most_expansion = 200;
-constexpr std::uintmax_t always_allowed = 1 << 20;  // [bytes]: the bound is for what can do harm
-
 // An array of 10 000 antennas, each of 2000 facets and placed by a hundred bytes, comes to 20 facets a byte.
 constexpr std::uintmax_t most_facets_per_byte = 100;
 constexpr std::uintmax_t facets_always_allowed = 1'000'000;
@@ -46,13 +41,6 @@ MeshFile read_bytes(const std::filesystem::path& path) {
   if (stream.bad() || !stream.is_open()) file.reject("cannot be read; check its permissions");
   if (file.bytes.empty()) file.reject("is empty; export the mesh again");
   return file;
-}
-
-void check_unpacked_size(const MeshFile& file, std::uintmax_t bytes, std::uintmax_t most_bytes) {
-  if (bytes > most_bytes) file.reject("unpacks to more than this machine's memory; take a larger machine, or divide the mesh");
-  if (bytes > always_allowed && bytes > most_expansion * file.bytes.size())
-    file.reject(fmt::format("unpacks to more than {} times its {} bytes, which no mesh does; if it is one, unpack it first",
-                            most_expansion, file.bytes.size()));
 }
 
 void check_repetition(const MeshFile& file, std::uintmax_t bytes, std::uintmax_t facets) {

@@ -22,10 +22,6 @@ MeshFile read_bytes(const std::filesystem::path& path);
 /// Memory of this machine [bytes].
 std::uintmax_t installed_memory();
 
-/// Throws InputError if `bytes` unpacked are more than `most_bytes`, or so many times those of the packed `file` that they are no
-/// mesh.
-void check_unpacked_size(const MeshFile& file, std::uintmax_t bytes, std::uintmax_t most_bytes);
-
 /// Throws InputError if so many facets or vertices come of a file of `bytes`, with those it names, by putting the same part at
 /// several places, that they are no target.
 void check_repetition(const MeshFile& file, std::uintmax_t bytes, std::uintmax_t facets);

@@ -16,58 +16,53 @@ namespace raytube {
 
 namespace {
 
-/// zlib's state, and what it has unpacked so far.
-class Inflater {
- public:
-  Inflater(const MeshFile& file, std::uintmax_t most_bytes) : file_(file), most_bytes_(most_bytes) {
-    if (inflateInit2(&stream_, MAX_WBITS + 16) != Z_OK) throw std::bad_alloc();  // 16: gzip's frame and nothing else
-  }
-  ~Inflater() { inflateEnd(&stream_); }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
+// Tables of numbers shrink to a third or a tenth, regular grids in a plane to a twentieth; deflate itself reaches 1/1032 (zlib,
+// technical details), of zeros.
+constexpr std::uintmax_t most_expansion = 200;
+constexpr std::uintmax_t always_allowed = 1 << 20;  // [bytes]: the bound is for what can do harm
 
-  std::string unpack() {
-    std::string_view left = file_.bytes;
-    do {
-      left = unpack_member(left);
-      if (inflateReset(&stream_) != Z_OK) throw std::bad_alloc();
-    } while (is_gzip(left));
-    if (left.find_first_not_of('\0') != std::string_view::npos)  // tapes and some servers pad with zeros
-      file_.reject("goes on after its gzip data; compress the mesh again");
-    return std::move(unpacked_);
-  }
+/// Throws InputError if `bytes` unpacked are more than `most_bytes`, or so many times those of the packed `file` that they are no
+/// mesh.
+void check_unpacked_size(const MeshFile& file, std::uintmax_t bytes, std::uintmax_t most_bytes) {
+  if (bytes > most_bytes) file.reject("unpacks to more than this machine's memory; take a larger machine, or divide the mesh");
+  if (bytes > always_allowed && bytes > most_expansion * file.bytes.size())
+    file.reject(fmt::format("unpacks to more than {} times its {} bytes, which no mesh does; if it is one, unpack it first",
+                            most_expansion, file.bytes.size()));
+}
 
- private:
-  // One of the members that a gzip file is made of; returns what follows it.
-  std::string_view unpack_member(std::string_view bytes) {
+// Z_BUF_ERROR: there is room for more but nothing left to read.
+void check_state(const MeshFile& file, int state) {
+  if (state == Z_MEM_ERROR) throw std::bad_alloc();
+  if (state == Z_BUF_ERROR) file.reject("its gzip data ends early; it is cut short, copy or compress it again");
+  if (state != Z_OK && state != Z_STREAM_END) file.reject("its gzip data is damaged; copy or compress it again");
+}
+
+/// All members that a gzip file is made of, one after the other.
+std::string inflated(const MeshFile& file, std::uintmax_t most_bytes) {
+  z_stream stream{};
+  if (inflateInit2(&stream, MAX_WBITS + 16) != Z_OK) throw std::bad_alloc();  // 16: gzip's frame and nothing else
+  const std::unique_ptr<z_stream, decltype(&inflateEnd)> until_the_end(&stream, inflateEnd);
+  std::string_view left = file.bytes;
+  std::string whole, piece(1 << 18, '\0');
+  do {
     for (int state = Z_OK; state != Z_STREAM_END;) {
-      const auto given = static_cast<uInt>(std::min<std::size_t>(bytes.size(), std::numeric_limits<uInt>::max()));
-      stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));  // zlib reads it only
-      stream_.avail_in = given;
-      stream_.next_out = reinterpret_cast<Bytef*>(piece_.data());
-      stream_.avail_out = static_cast<uInt>(piece_.size());
-      state = inflate(&stream_, Z_NO_FLUSH);
-      check(state);
-      bytes.remove_prefix(given - stream_.avail_in);
-      unpacked_.append(piece_.data(), piece_.size() - stream_.avail_out);
-      check_unpacked_size(file_, unpacked_.size(), most_bytes_);
+      const auto given = static_cast<uInt>(std::min<std::size_t>(left.size(), std::numeric_limits<uInt>::max()));
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(left.data()));  // zlib reads it only
+      stream.avail_in = given;
+      stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+      stream.avail_out = static_cast<uInt>(piece.size());
+      state = inflate(&stream, Z_NO_FLUSH);
+      check_state(file, state);
+      left.remove_prefix(given - stream.avail_in);
+      whole.append(piece.data(), piece.size() - stream.avail_out);
+      check_unpacked_size(file, whole.size(), most_bytes);
     }
-    return bytes;
-  }
-
-  // Z_BUF_ERROR: there is room for more but nothing left to read.
-  void check(int state) const {
-    if (state == Z_MEM_ERROR) throw std::bad_alloc();
-    if (state == Z_BUF_ERROR) file_.reject("its gzip data ends early; it is cut short, copy or compress it again");
-    if (state != Z_OK && state != Z_STREAM_END) file_.reject("its gzip data is damaged; copy or compress it again");
-  }
-
-  const MeshFile& file_;
-  std::uintmax_t most_bytes_;
-  z_stream stream_{};
-  std::string piece_ = std::string(1 << 18, '\0');
-  std::string unpacked_;
-};
+    if (inflateReset(&stream) != Z_OK) throw std::bad_alloc();
+  } while (is_gzip(left));
+  if (left.find_first_not_of('\0') != std::string_view::npos)  // tapes and some servers pad with zeros
+    file.reject("goes on after its gzip data; compress the mesh again");
+  return whole;
+}
 
 struct CloseEntry {
   void operator()(zip_file_t* entry) const { zip_fclose(entry); }
@@ -77,7 +72,7 @@ struct CloseEntry {
 
 MeshFile unpacked(const MeshFile& file, std::uintmax_t most_bytes) {
   if (!is_gzip(file.bytes)) file.reject("is not gzip data, which the ending .gz stands for; rename it");
-  return {file.name, Inflater(file, most_bytes).unpack()};
+  return {file.name, inflated(file, most_bytes)};
 }
 
 void ZipArchive::Close::operator()(zip* archive) const { zip_discard(archive); }

@@ -17,6 +17,9 @@ namespace raytube {
 
 namespace {
 
+// Stands between an element's name and its namespace.
+constexpr char namespace_end = '|';
+
 // From 2.9 on Expat has a name of its own for numbers of 64 bits, and warns of the old one.
 std::size_t current_line(XML_Parser parser) {
 #if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
@@ -35,27 +38,25 @@ struct XmlReader::Callbacks {
   std::exception_ptr thrown = nullptr;
 
   template <class Action>
-  void guard(const Action& action) {
+  static void guard(void* callbacks, const Action& action) {
+    auto& [reader, parser, thrown] = *static_cast<Callbacks*>(callbacks);
     reader.line_ = current_line(parser);
     try {
-      if (!thrown) action();
+      if (!thrown) action(reader);
     } catch (...) {
       thrown = std::current_exception();
       XML_StopParser(parser, XML_FALSE);
     }
   }
 
-  static void on_begin(void* data, const char* name, const char** attributes) {
-    auto& self = *static_cast<Callbacks*>(data);
-    self.guard([&] { self.reader.begin({self.reader, name, attributes}); });
+  static void on_begin(void* self, const char* name, const char** attributes) {
+    guard(self, [&](XmlReader& reader) { reader.begin({reader, name, attributes}); });
   }
-  static void on_end(void* data, const char* name) {
-    auto& self = *static_cast<Callbacks*>(data);
-    self.guard([&] { self.reader.end(name); });
+  static void on_end(void* self, const char* name) {
+    guard(self, [&](XmlReader& reader) { reader.end(name); });
   }
-  static void on_prefix(void* data, const char* prefix, const char* uri) {
-    auto& self = *static_cast<Callbacks*>(data);
-    self.guard([&] { self.reader.prefix(prefix ? prefix : "", uri ? uri : ""); });
+  static void on_prefix(void* self, const char* prefix, const char* uri) {
+    guard(self, [&](XmlReader& reader) { reader.prefix(prefix ? prefix : "", uri ? uri : ""); });
   }
 };
 

@@ -10,9 +10,6 @@
 
 namespace raytube {
 
-/// Stands between an element's name and its namespace: "namespace|name"; the name alone where there is none.
-inline constexpr char namespace_end = '|';
-
 /// One XML text, read once. Errors name its place in the mesh file.
 class XmlReader {
  public:
@@ -22,7 +19,7 @@ class XmlReader {
     Element(const XmlReader& reader, std::string_view element_name, const char* const* attributes)
         : name(element_name), reader_(reader), attributes_(attributes) {}
 
-    std::string_view name;
+    std::string_view name;  // "namespace|name"; the name alone where there is no namespace
 
     /// Nothing if there is no attribute of that name.
     std::optional<std::string_view> find(std::string_view attribute) const;
