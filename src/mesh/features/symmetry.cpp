@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <numeric>
 
 #include "mesh/model/point_tree.h"
 
@@ -114,49 +114,32 @@ class PatchSymmetry {
   std::vector<std::uint32_t> image_of_vertex_, image_of_patch_, found_;
 };
 
-// The wedges, found by their middles.
-class WedgeSymmetry {
- public:
-  WedgeSymmetry(const TriangleMesh& mesh, std::span<const Wedge> wedges) : wedges_(wedges), rounding_(symmetry_rounding(mesh)) {
-    std::vector<std::uint32_t> all;
-    for (const Wedge& wedge : wedges) {
-      all.push_back(static_cast<std::uint32_t>(middles_.size()));
-      middles_.push_back(0.5 * (wedge.start + wedge.end));
-    }
-    tree_.emplace(middles_, std::move(all));
-  }
-
-  bool is_symmetry(int axis) {
-    return std::ranges::all_of(wedges_, [&](const Wedge& wedge) {
-      found_.clear();
-      find_near(*tree_, image(0.5 * (wedge.start + wedge.end), axis), rounding_, found_);
-      return std::ranges::any_of(found_, [&](std::uint32_t other) { return is_image(wedge, wedges_[other], axis); });
-    });
-  }
-
- private:
-  bool is_image(const Wedge& wedge, const Wedge& other, int axis) const {
-    const dvec3 start = image(wedge.start, axis);
-    const double apart = std::min(glm::distance(start, other.start), glm::distance(start, other.end));
-    return apart <= rounding_ && std::abs(wedge.n - other.n) <= same_angle;
-  }
-
-  std::span<const Wedge> wedges_;
-  double rounding_;
-  std::vector<dvec3> middles_;
-  std::optional<PointTree> tree_;
-  std::vector<std::uint32_t> found_;
-};
+bool is_image(const Wedge& wedge, const Wedge& other, int axis, double rounding) {
+  const dvec3 start = image(wedge.start, axis);
+  const double apart = std::min(glm::distance(start, other.start), glm::distance(start, other.end));
+  return apart <= rounding && std::abs(wedge.n - other.n) <= same_angle;
+}
 
 }  // namespace
 
 std::array<bool, 3> find_symmetry_planes(const TriangleMesh& mesh, std::span<const Wedge> wedges, bool facets) {
   const Outline outline = outline_of(mesh, facets);
   const PointTree corners(mesh.vertices, outline.corners);
-  WedgeSymmetry edges(mesh, wedges);
+  std::vector<dvec3> middles;  // by which wedges are found
+  for (const Wedge& wedge : wedges) middles.push_back(0.5 * (wedge.start + wedge.end));
+  std::vector<std::uint32_t> all(wedges.size()), found;
+  std::iota(all.begin(), all.end(), 0u);
+  const PointTree by_middle(middles, std::move(all));
+  const double rounding = symmetry_rounding(mesh);
+  const auto has_image = [&](const Wedge& wedge, int axis) {
+    found.clear();
+    find_near(by_middle, image(0.5 * (wedge.start + wedge.end), axis), rounding, found);
+    return std::ranges::any_of(found, [&](std::uint32_t other) { return is_image(wedge, wedges[other], axis, rounding); });
+  };
   std::array<bool, 3> planes;
   for (int axis = 0; axis < 3; ++axis)
-    planes[axis] = PatchSymmetry(mesh, outline, corners, axis).is_symmetry() && edges.is_symmetry(axis);
+    planes[axis] = PatchSymmetry(mesh, outline, corners, axis).is_symmetry() &&
+                   std::ranges::all_of(wedges, [&](const Wedge& wedge) { return has_image(wedge, axis); });
   return planes;
 }
 

@@ -75,7 +75,6 @@ class SoupBuilder {
     name_ = name;
     names_.reset();
   }
-  std::size_t facets() const { return soup_.polygons.size(); }
   PolygonSoup take() { return std::move(soup_); }
 
  private:

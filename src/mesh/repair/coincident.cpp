@@ -59,7 +59,7 @@ class FaceGroups {
       result.clear();
       for (const auto& [number, ends] : outline(group)) result.push_back({ends.first, ends.second, {}});
     }
-    std::ranges::sort(result, {}, [](const EdgeSplit& chain) { return Ends(chain.low, chain.high); });
+    std::ranges::sort(result, {}, &EdgeSplit::ends);
     return result;
   }
 
@@ -146,9 +146,7 @@ class FaceGroups {
   std::vector<std::pair<std::uint32_t, Ends>> outlines_;  // group, edge
 };
 
-bool same_ends(const Chains& a, const Chains& b) {
-  return std::ranges::equal(a, b, [](const auto& p, const auto& q) { return p.low == q.low && p.high == q.high; });
-}
+bool same_ends(const Chains& a, const Chains& b) { return std::ranges::equal(a, b, {}, &EdgeSplit::ends, &EdgeSplit::ends); }
 
 bool same_vertices(const Chains& a, const Chains& b) {
   return std::ranges::equal(a, b, {}, &EdgeSplit::vertices, &EdgeSplit::vertices);
@@ -203,10 +201,9 @@ void add_splits(std::span<const dvec3> vertices, const Chains& outline, const Ch
 
 /// One split for an edge, the first of those that its faces ask for; others follow in a later round.
 void split_edges(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
-  const auto ends = [](const EdgeSplit& split) { return Ends(split.low, split.high); };
-  std::ranges::stable_sort(splits, {}, ends);
+  std::ranges::stable_sort(splits, {}, &EdgeSplit::ends);
   const auto repeated =
-      std::unique(splits.begin(), splits.end(), [&](const EdgeSplit& a, const EdgeSplit& b) { return ends(a) == ends(b); });
+      std::unique(splits.begin(), splits.end(), [&](const EdgeSplit& a, const EdgeSplit& b) { return a.ends() == b.ends(); });
   splits.erase(repeated, splits.end());
   apply_splits(std::move(splits), facets, report);
 }

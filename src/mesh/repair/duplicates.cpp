@@ -63,43 +63,37 @@ Coincident find_coincident(std::span<const Triangle> triangles) {
   return found;
 }
 
-/// The triangles that coincide with none, and which of them hang together with a border or with what lets waves through.
-class Rest {
- public:
-  Rest(const Facets& facets, std::span<const Material> materials, std::size_t vertex_count)
-      : edges_(facets.triangles, vertex_count) {
-    region_ = connected_groups(edges_, facets.triangles.size(), [](const auto& edge) { return edge.sides.size() == 2; });
-    open_.assign(facets.triangles.size(), false);
-    for (std::size_t i = 0; i < open_.size(); ++i)
-      if (transmits(materials, facets.material(i))) open_[region_[i]] = true;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      if (edges_[e].sides.size() == 1) open_[region_[edges_[e].sides[0].triangle]] = true;
-  }
-
-  /// Two triangles or more meet at this edge, and none of them belongs to a region that is open.
-  bool closes_around(std::uint32_t low, std::uint32_t high) const {
-    const std::size_t edge = edges_.find(low, high);
-    if (edge == edges_.size() || edges_[edge].sides.size() < 2) return false;
-    return std::ranges::none_of(edges_[edge].sides, [&](const auto& side) { return open_[region_[side.triangle]]; });
-  }
-
- private:
-  EdgeTable edges_;
-  std::vector<std::uint32_t> region_;
-  std::vector<bool> open_;
-};
+/// For each edge of these triangles: two of them or more meet there, and none hangs together with a border or with what lets
+/// waves through.
+std::vector<bool> closed_edges(const Facets& facets, std::span<const Material> materials, const EdgeTable& edges) {
+  const auto region = connected_groups(edges, facets.triangles.size(), [](const auto& edge) { return edge.sides.size() == 2; });
+  std::vector<bool> open(facets.triangles.size(), false);  // [region]
+  for (std::size_t i = 0; i < region.size(); ++i)
+    if (transmits(materials, facets.material(i))) open[region[i]] = true;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (edges[e].sides.size() == 1) open[region[edges[e].sides[0].triangle]] = true;
+  std::vector<bool> closed(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    closed[e] = edges[e].sides.size() > 1 &&
+                std::ranges::none_of(edges[e].sides, [&](const auto& side) { return open[region[side.triangle]]; });
+  return closed;
+}
 
 /// For each pair: whether its group of connected pairs is a wall inside closed bodies. It is if it has a border and the
-/// other triangles close around the border; a free border or an open surface around it speak for an open surface.
-std::vector<bool> internal_walls(std::span<const Triangle> walls, const Rest& rest, std::size_t vertex_count) {
-  const EdgeTable edges(walls, vertex_count);
+/// other triangles, which coincide with none, close around the border; a free border or an open surface around it speak for an
+/// open surface.
+std::vector<bool> internal_walls(std::span<const Triangle> walls, const Facets& others, std::span<const Material> materials,
+                                 std::size_t vertex_count) {
+  const EdgeTable edges(walls, vertex_count), edges_around(others.triangles, vertex_count);
+  const std::vector<bool> closed_around = closed_edges(others, materials, edges_around);
   const auto group = connected_groups(edges, walls.size(), [](const auto&) { return true; });
   std::vector<bool> has_border(walls.size(), false), enclosed(walls.size(), true);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const auto [low, high, sides] = edges[e];
     if (sides.size() > 1) continue;
+    const std::size_t around = edges_around.find(low, high);
     has_border[group[sides[0].triangle]] = true;
-    if (!rest.closes_around(low, high)) enclosed[group[sides[0].triangle]] = false;
+    if (around == edges_around.size() || !closed_around[around]) enclosed[group[sides[0].triangle]] = false;
   }
   std::vector<bool> internal(walls.size());
   for (std::size_t i = 0; i < walls.size(); ++i) internal[i] = has_border[group[i]] && enclosed[group[i]];
@@ -147,7 +141,7 @@ void drop_duplicates(Facets& facets, std::span<const Material> materials, std::s
     Facets others;
     for (std::size_t i = 0; i < triangles.size(); ++i)
       if (!paired[i]) others.add(triangles[i], facets, i);
-    const std::vector<bool> internal = internal_walls(walls, Rest(others, materials, vertex_count), vertex_count);
+    const std::vector<bool> internal = internal_walls(walls, others, materials, vertex_count);
     for (std::size_t i = 0; i < walls.size(); ++i) {
       const auto [first, second] = found.pairs[i];
       dropped[second] = true;

@@ -12,9 +12,8 @@ using Path = std::vector<std::uint32_t>;
 /// The vertices on the way from a to b.
 Path path_between(std::span<const EdgeSplit> splits, std::uint32_t a, std::uint32_t b) {
   const auto key = std::pair(std::min(a, b), std::max(a, b));
-  const auto ends = [](const EdgeSplit& s) { return std::pair(s.low, s.high); };
-  const auto split = std::ranges::lower_bound(splits, key, {}, ends);
-  if (split == splits.end() || ends(*split) != key) return {};
+  const auto split = std::ranges::lower_bound(splits, key, {}, &EdgeSplit::ends);
+  if (split == splits.end() || split->ends() != key) return {};
   return a < b ? split->vertices : Path(split->vertices.rbegin(), split->vertices.rend());
 }
 
@@ -47,32 +46,22 @@ std::vector<Triangle> pieces_of(const Triangle& t, std::span<const EdgeSplit> sp
   return pieces;
 }
 
-/// Tells quickly that a triangle has no split edge.
-class Touched {
- public:
-  explicit Touched(std::span<const EdgeSplit> splits) {
-    for (const EdgeSplit& s : splits) ends_.insert(ends_.end(), {s.low, s.high});
-    std::ranges::sort(ends_);
-  }
-  bool operator()(const Triangle& t) const {
-    return std::ranges::count_if(t, [&](std::uint32_t v) { return std::ranges::binary_search(ends_, v); }) >= 2;
-  }
-
- private:
-  std::vector<std::uint32_t> ends_;
-};
-
 }  // namespace
 
 void apply_splits(std::vector<EdgeSplit> splits, Facets& facets, MeshReport& report) {
-  std::ranges::sort(splits, {}, [](const EdgeSplit& s) { return std::pair(s.low, s.high); });
-  for (const EdgeSplit& s : splits) report.t_junctions_split += s.vertices.size();
-  const Touched touched(splits);
+  std::ranges::sort(splits, {}, &EdgeSplit::ends);
+  std::vector<std::uint32_t> ends;
+  for (const EdgeSplit& s : splits) {
+    report.t_junctions_split += s.vertices.size();
+    ends.insert(ends.end(), {s.low, s.high});
+  }
+  std::ranges::sort(ends);
+  const auto is_end = [&](std::uint32_t v) { return std::ranges::binary_search(ends, v); };
   Facets result;
   result.triangles.reserve(facets.triangles.size());
   for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
     const Triangle& t = facets.triangles[i];
-    const std::vector<Triangle> pieces = touched(t) ? pieces_of(t, splits) : std::vector{t};
+    const std::vector<Triangle> pieces = std::ranges::count_if(t, is_end) >= 2 ? pieces_of(t, splits) : std::vector{t};
     pieces.empty() ? ++report.triangles_degenerate : report.triangles_added += pieces.size() - 1;
     for (const Triangle& piece : pieces) result.add(piece, facets, i);
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "mesh/repair/facets.h"
@@ -13,6 +14,7 @@ namespace raytube {
 struct EdgeSplit {
   std::uint32_t low, high;
   std::vector<std::uint32_t> vertices;
+  std::pair<std::uint32_t, std::uint32_t> ends() const { return {low, high}; }
 };
 
 /// Cuts the triangles along the splits, of which there is one for an edge at most; pieces are made of what the triangle was, and

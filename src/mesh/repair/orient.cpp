@@ -9,11 +9,6 @@ namespace raytube {
 
 namespace {
 
-std::vector<BorderPiece> sorted(std::vector<BorderPiece> pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
-  return pieces;
-}
-
 /// Length of each component's border that does not cancel. The slit that a fin cuts into a box does: its two lips run in
 /// opposite senses.
 std::vector<double> border_lengths(std::span<const dvec3> vertices, std::span<const BorderPiece> pieces, std::size_t components) {
@@ -79,7 +74,8 @@ Analysis analyse(std::span<const dvec3> vertices, std::span<const Triangle> tria
   Winding winding = wind_alike(vertices, separate);
   const auto& component = winding.component;
   const std::size_t components = component.empty() ? 0 : *std::ranges::max_element(component) + 1;
-  const std::vector<double> border = border_lengths(vertices, sorted(std::move(winding.border)), components);
+  std::ranges::sort(winding.border, {}, &BorderPiece::key);
+  const std::vector<double> border = border_lengths(vertices, winding.border, components);
   const std::vector<Totals> totals = total_up(vertices, triangles, winding, components);
 
   Analysis analysis;

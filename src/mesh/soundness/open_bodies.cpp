@@ -18,26 +18,19 @@ struct OpenComponent {
   std::vector<Border> borders;
 };
 
-Border free_edges(const EdgeTable& edges, std::vector<std::uint32_t>& triangles) {
-  Border free;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeTable::Edge edge = edges[e];
-    if (edge.sides.size() != 1) continue;
-    free.push_back({edge.low, edge.high});
-    triangles.push_back(edge.sides[0].triangle);
-  }
-  return free;
-}
-
-// Edges of one component that hang together are one border.
+// Free edges of one component that hang together are one border.
 void add_borders(const TriangleMesh& mesh, std::vector<OpenComponent>& components) {
-  std::vector<std::uint32_t> triangles;
-  const Border free = free_edges(mesh.edges(), triangles);
+  const EdgeTable& edges = mesh.edges();
+  std::vector<std::pair<std::uint32_t, Segment>> free;  // with their components
   DisjointSets joined(mesh.vertices.size());
-  for (const auto& [low, high] : free) joined.join(high, low);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto [low, high, sides] = edges[e];
+    if (sides.size() != 1) continue;
+    free.push_back({mesh.triangle_component[sides[0].triangle], {low, high}});
+    joined.join(high, low);
+  }
   std::map<std::array<std::uint32_t, 2>, Border> borders;
-  for (std::size_t i = 0; i < free.size(); ++i)
-    borders[{mesh.triangle_component[triangles[i]], joined.root(free[i][0])}].push_back(free[i]);
+  for (const auto& [component, edge] : free) borders[{component, joined.root(edge[0])}].push_back(edge);
   for (auto& [key, border] : borders) components[key[0]].borders.push_back(std::move(border));
 }
 

@@ -58,28 +58,22 @@ Arguments arguments_of(Query& query, RTCRayQueryFlags flags) {
 #endif
   return arguments;
 }
-inline RTCIntersectArguments to_intersect(Query& query, RTCRayQueryFlags flags) {
-  return arguments_of<RTCIntersectArguments>(query, flags);
-}
-inline RTCOccludedArguments to_occlude(Query& query, RTCRayQueryFlags flags) {
-  return arguments_of<RTCOccludedArguments>(query, flags);
-}
 
 inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) {
-  RTCIntersectArguments arguments = to_intersect(query, RTC_RAY_QUERY_FLAG_INCOHERENT);
+  auto arguments = arguments_of<RTCIntersectArguments>(query, RTC_RAY_QUERY_FLAG_INCOHERENT);
   rtcIntersect1(scene, &ray, &arguments);
 }
 inline void occluded(RTCScene scene, Query& query, RTCRay& ray) {
-  RTCOccludedArguments arguments = to_occlude(query, RTC_RAY_QUERY_FLAG_INCOHERENT);
+  auto arguments = arguments_of<RTCOccludedArguments>(query, RTC_RAY_QUERY_FLAG_INCOHERENT);
   rtcOccluded1(scene, &ray, &arguments);
 }
 /// Rays that run side by side.
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit16& rays) {
-  RTCIntersectArguments arguments = to_intersect(query, RTC_RAY_QUERY_FLAG_COHERENT);
+  auto arguments = arguments_of<RTCIntersectArguments>(query, RTC_RAY_QUERY_FLAG_COHERENT);
   rtcIntersect16(valid, scene, &rays, &arguments);
 }
 inline void occluded(RTCScene scene, Query& query, const int* valid, RTCRay16& rays) {
-  RTCOccludedArguments arguments = to_occlude(query, RTC_RAY_QUERY_FLAG_COHERENT);
+  auto arguments = arguments_of<RTCOccludedArguments>(query, RTC_RAY_QUERY_FLAG_COHERENT);
   rtcOccluded16(valid, scene, &rays, &arguments);
 }
 

@@ -52,45 +52,35 @@ struct Arc {
   }
 };
 
-// Whether triangles that share corners open at a narrow angle.
-class Corner {
- public:
-  explicit Corner(double narrow) : narrow_(narrow) {}
+bool comes_near(const Arc& arc, const Arc& other, double narrow) {
+  if (other.distance(arc.middle()) < 0.5 * narrow * arc.angle) return true;
+  return std::ranges::any_of(std::array{other.from, other.to}, [&](const dvec3& end) {
+    return arc.beside(end) && std::abs(glm::dot(arc.axis, end)) < narrow * arc.angle_to_end(end);
+  });
+}
 
-  // True if somewhere on one of the arcs the other one is nearer than `narrow` times the way to the end: from there outwards the
-  // triangles are nearer to one another than that times the way to their edges. Arcs that follow one another are not. The
-  // distance is least over the middle of an arc or beside an end of the other one: between these, it is concave.
-  bool is_narrow(const Arc& a, const Arc& b) const { return a.crosses(b) || comes_near(a, b) || comes_near(b, a); }
+// True if somewhere on one of the arcs the other one is nearer than `narrow` times the way to the end: from there outwards the
+// triangles are nearer to one another than that times the way to their edges. Arcs that follow one another are not. The
+// distance is least over the middle of an arc or beside an end of the other one: between these, it is concave.
+bool open_narrowly(const Arc& a, const Arc& b, double narrow) {
+  return a.crosses(b) || comes_near(a, b, narrow) || comes_near(b, a, narrow);
+}
 
-  // Meets all arcs that come near this one, or that it comes near to: within half the narrow angle times its own, and a little.
-  ArcBox box(const Arc& arc, std::uint32_t index) const {
-    const double margin = 0.6 * narrow_ * arc.angle;
-    dvec3 low = glm::min(arc.from, arc.to), high = glm::max(arc.from, arc.to);
-    // An arc rises above its chord by less than 1 - cos of half its angle.
-    const double rise = 1.0 - std::cos(0.5 * arc.angle);
-    low -= margin + rise;
-    high += margin + rise;
-    return {CGAL::Bbox_3(low.x, low.y, low.z, high.x, high.y, high.z), index};
-  }
-
-  // Whether triangles on a common edge are folded together.
-  bool is_folded(const dvec3& inwards_a, const dvec3& inwards_b) const { return glm::distance(inwards_a, inwards_b) < narrow_; }
-
- private:
-  bool comes_near(const Arc& arc, const Arc& other) const {
-    if (other.distance(arc.middle()) < 0.5 * narrow_ * arc.angle) return true;
-    return std::ranges::any_of(std::array{other.from, other.to}, [&](const dvec3& end) {
-      return arc.beside(end) && std::abs(glm::dot(arc.axis, end)) < narrow_ * arc.angle_to_end(end);
-    });
-  }
-
-  double narrow_;
-};
+// Meets all arcs that come near this one, or that it comes near to: within half the narrow angle times its own, and a little.
+ArcBox box_of(const Arc& arc, double narrow, std::uint32_t index) {
+  const double margin = 0.6 * narrow * arc.angle;
+  dvec3 low = glm::min(arc.from, arc.to), high = glm::max(arc.from, arc.to);
+  // An arc rises above its chord by less than 1 - cos of half its angle.
+  const double rise = 1.0 - std::cos(0.5 * arc.angle);
+  low -= margin + rise;
+  high += margin + rise;
+  return {CGAL::Bbox_3(low.x, low.y, low.z, high.x, high.y, high.z), index};
+}
 
 class PairFinder {
  public:
   PairFinder(const TriangleMesh& mesh, const TriangleTree& tree, double distance, double narrow)
-      : mesh_(mesh), distance_(distance), corner_(narrow) {
+      : mesh_(mesh), distance_(distance), narrow_(narrow) {
     const auto are_close = [&](std::uint32_t a, std::uint32_t b) {
       return !are_apart(mesh_.corners(a), mesh_.corners(b), distance_);
     };
@@ -122,11 +112,11 @@ class PairFinder {
     arcs_.clear(), boxes_.clear();
     for (const std::uint32_t triangle : triangles) {
       arcs_.push_back(arc(triangle, vertex));
-      boxes_.push_back(corner_.box(arcs_.back(), static_cast<std::uint32_t>(boxes_.size())));
+      boxes_.push_back(box_of(arcs_.back(), narrow_, static_cast<std::uint32_t>(boxes_.size())));
     }
     const auto look_at = [&](const ArcBox& a, const ArcBox& b) {
       const std::uint32_t i = a.info(), j = b.info(), t = triangles[i], u = triangles[j];
-      if (patch(t) != patch(u) && share_one_corner(t, u) && corner_.is_narrow(arcs_[i], arcs_[j])) add(t, u);
+      if (patch(t) != patch(u) && share_one_corner(t, u) && open_narrowly(arcs_[i], arcs_[j], narrow_)) add(t, u);
     };
     if (triangles.size() <= few_triangles)
       look_at_all(look_at);
@@ -147,11 +137,12 @@ class PairFinder {
 
   std::uint32_t patch(std::uint32_t triangle) const { return mesh_.triangle_patch[triangle]; }
 
+  // Triangles on a common edge that are folded together.
   void look_along(const EdgeTable::Edge& edge) {
     for (std::size_t i = 0; i < edge.sides.size(); ++i)
       for (std::size_t j = i + 1; j < edge.sides.size(); ++j) {
         const std::uint32_t a = edge.sides[i].triangle, b = edge.sides[j].triangle;
-        if (patch(a) != patch(b) && corner_.is_folded(inwards(edge.sides[i]), inwards(edge.sides[j]))) add(a, b);
+        if (patch(a) != patch(b) && glm::distance(inwards(edge.sides[i]), inwards(edge.sides[j])) < narrow_) add(a, b);
       }
   }
 
@@ -163,8 +154,7 @@ class PairFinder {
   }
 
   const TriangleMesh& mesh_;
-  double distance_;
-  Corner corner_;
+  double distance_, narrow_;
   std::vector<Arc> arcs_;      // of the triangles round one vertex
   std::vector<ArcBox> boxes_;  // of these
 };

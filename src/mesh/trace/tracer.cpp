@@ -56,17 +56,17 @@ struct Tracer::Scene {
   Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
   std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
   std::uint32_t ask_alone(const Ray& ray, const IgnoredPatches& ignored) const;
-  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return triangle != no_index && exact.is_lost(ray, triangle); }
+  bool is_lost(const Ray& ray, std::uint32_t triangle) const { return triangle != no_index && exact->is_lost(ray, triangle); }
   std::uint32_t found_again(const Ray& ray, std::uint32_t lost) const;
   bool is_safe(std::uint32_t primitive, float side) const {
     return primitive < safe_sides.size() && side > safe_sides[primitive];
   }
   bool is_inside(const Ray& ray, std::uint32_t primitive, float side) const {
-    return is_safe(primitive, side) || (primitive < safe_sides.size() && exact.is_inside(ray, primitive));
+    return is_safe(primitive, side) || (primitive < safe_sides.size() && exact->is_inside(ray, primitive));
   }
 
   const TriangleMesh& mesh;
-  ExactHit exact;
+  std::optional<ExactHit> exact;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   double scale;
@@ -75,9 +75,6 @@ struct Tracer::Scene {
   std::vector<float> safe_sides;  // of each triangle of the mesh: smallest_side() of hits that single precision cannot mistake
 
  private:
-  struct Parts;
-  static Parts build_parts(const TriangleMesh& triangles, double scale);
-  Scene(const TriangleMesh& triangles, int rays_at_a_time, double scale, Parts parts);
   void add_geometry(const ProxyTriangles& proxies);
   float safe_side(const ProxyTriangles& proxies, std::uint32_t triangle) const;
 };
@@ -134,7 +131,7 @@ void keep_any(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[lane] = 0;
     if (query.refuses(ray, primitive)) continue;
     if (query.scene->is_safe(primitive, embree::smallest_side(*arguments, lane)) ||
-        query.scene->exact.meets(ray, triangle, query.refused_patches))
+        query.scene->exact->meets(ray, triangle, query.refused_patches))
       query.found[index] = triangle, arguments->valid[lane] = -1;
     else
       query.doubt(index, triangle);
@@ -147,7 +144,7 @@ double scale_of(const TriangleMesh& mesh) { return mesh.radius > 0.0 ? std::exp2
 template <class Context>
 Context make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredPatches& ignored) {
   Context context;
-  context.exact = &scene.exact;
+  context.exact = &*scene.exact;
   context.own = scene.safe_sides.size();
   context.rays = rays;
   context.refused_patches = ignored;
@@ -156,31 +153,17 @@ Context make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredP
 
 }  // namespace
 
-// The two halves of what a mesh needs, built side by side.
-struct Tracer::Scene::Parts {
-  std::optional<ExactHit> exact{};
-  ProxyTriangles proxies{};
-};
-
-Tracer::Scene::Parts Tracer::Scene::build_parts(const TriangleMesh& triangles, double scale) {
-  Parts parts;
-  tbb::parallel_invoke([&] { parts.exact.emplace(triangles); },
-                       [&] { parts.proxies = proxy_triangles(triangles, proxy_margin / scale); });
-  return parts;
-}
-
+// The two halves of what a mesh needs are built side by side.
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
-    : Scene(triangles, rays_at_a_time, scale_of(triangles), build_parts(triangles, scale_of(triangles))) {}
-
-Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time, double to_embree, Parts parts)
-    : mesh(triangles), exact(std::move(*parts.exact)), scale(to_embree), width(rays_at_a_time) {
+    : mesh(triangles), scale(scale_of(triangles)), width(rays_at_a_time) {
+  ProxyTriangles proxies;
+  tbb::parallel_invoke([&] { exact.emplace(mesh); }, [&] { proxies = proxy_triangles(mesh, proxy_margin / scale); });
   // As many user threads as there are threads leave none to Embree, and one builds: the order of equal leaves then never depends
   // on the machine's load.
   device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
   if (!device) fail(rtcGetDeviceError(nullptr));
   scene = rtcNewScene(device);
   rtcSetSceneFlags(scene, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::filter_of_queries));
-  ProxyTriangles& proxies = parts.proxies;
   add_geometry(proxies);
   safe_sides.reserve(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) safe_sides.push_back(safe_side(proxies, t));
@@ -210,7 +193,7 @@ float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t tria
   const Triangle& corners = proxies.triangles[triangle];
   const int k = longest_edge(proxies.vertices, corners);
   const double edge = glm::distance(proxies.vertices[corners[k]], proxies.vertices[corners[(k + 1) % 3]]);
-  return static_cast<float>(scale * scale * edge * (2.0 * exact.edge_uncertainty() + proxies.moved[triangle]));
+  return static_cast<float>(scale * scale * edge * (2.0 * exact->edge_uncertainty() + proxies.moved[triangle]));
 }
 
 // What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
@@ -227,8 +210,9 @@ void Tracer::Scene::closest(std::span<const Ray> rays, std::span<std::uint32_t> 
     if (!embree::is_hit(packet, lane)) continue;
     if (!is_inside(rays[lane], found[lane], embree::smallest_side(packet, lane)))
       found[lane] = decide(rays[lane], ignored, {found[lane], (packet.start[lane] + packet.rays.ray.tfar[lane]) / scale});
-    else if (!exact.is_alone(found[lane]))
-      found[lane] = exact.front_of(rays[lane], exact.nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
+    else if (!exact->is_alone(found[lane]))
+      found[lane] =
+          exact->front_of(rays[lane], exact->nearest_near_coincident(rays[lane], found[lane], ignored), ignored).triangle;
     if (rays[lane].source_patch != no_index && is_lost(rays[lane], found[lane]))
       found[lane] = found_again(rays[lane], found[lane]);
   }
@@ -247,7 +231,7 @@ void Tracer::Scene::any(std::span<const Ray> rays, const IgnoredPatches& ignored
   else
     embree::occlude(scene, context, scale, rays);
   for (const auto& [ray, triangle] : context.doubtful)
-    if (found[ray] == no_index) found[ray] = exact.nearest_around(rays[ray], triangle, ignored).triangle;
+    if (found[ray] == no_index) found[ray] = exact->nearest_around(rays[ray], triangle, ignored).triangle;
 }
 
 std::uint32_t Tracer::Scene::ask_alone(const Ray& ray, const IgnoredPatches& ignored) const {
@@ -260,8 +244,8 @@ std::uint32_t Tracer::Scene::ask_alone(const Ray& ray, const IgnoredPatches& ign
 // again, without that patch, or from the way on which it came.
 std::uint32_t Tracer::Scene::found_again(const Ray& ray, std::uint32_t lost) const {
   std::uint32_t found = lost;
-  if (exact.begins_beneath(ray, lost)) found = ask_alone(ray, {exact.patch(lost), no_index, no_index});
-  if (is_lost(ray, found)) found = ask_alone(exact.moved_back(ray), nothing_ignored);
+  if (exact->begins_beneath(ray, lost)) found = ask_alone(ray, {exact->patch(lost), no_index, no_index});
+  if (is_lost(ray, found)) found = ask_alone(exact->moved_back(ray), nothing_ignored);
   return is_lost(ray, found) ? lost : found;
 }
 
@@ -285,15 +269,15 @@ std::uint32_t Tracer::Scene::decide(const Ray& ray, const IgnoredPatches& ignore
   Hit best;
   std::vector<std::uint32_t> refused;
   for (Proposal next = proposal; next; next = propose_beyond(ray, ignored, refused)) {
-    if (best && next.distance > best.distance + exact.edge_uncertainty()) break;
-    const Hit hit = exact.nearest_around(ray, source[next.primitive], ignored);
+    if (best && next.distance > best.distance + exact->edge_uncertainty()) break;
+    const Hit hit = exact->nearest_around(ray, source[next.primitive], ignored);
     if (hit && (!best || std::pair(hit.distance, hit.triangle) < std::pair(best.distance, best.triangle))) best = hit;
-    if (best.triangle == next.primitive && best.distance <= next.distance + exact.edge_uncertainty()) break;
+    if (best.triangle == next.primitive && best.distance <= next.distance + exact->edge_uncertainty()) break;
     if (std::ranges::find(refused, next.primitive) != refused.end())
       throw std::logic_error("Embree proposes a triangle again that its filter refused: it does not call the filter");
     refused.push_back(next.primitive);
   }
-  return best ? exact.front_of(ray, best, ignored).triangle : no_index;
+  return best ? exact->front_of(ray, best, ignored).triangle : no_index;
 }
 
 Tracer::Tracer(const TriangleMesh& mesh, int packet) : scene_(std::make_unique<Scene>(mesh, packet)) {}
@@ -303,7 +287,7 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 const TriangleMesh& Tracer::mesh() const { return scene_->mesh; }
 
 std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) const {
-  return scene_->exact.near_coincident(triangle);
+  return scene_->exact->near_coincident(triangle);
 }
 
 void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
@@ -311,7 +295,7 @@ void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const 
   for (std::size_t first = 0; first < rays.size(); first += embree::packet_width) {
     const std::size_t count = std::min(embree::packet_width, rays.size() - first);
     scene_->closest(rays.subspan(first, count), found);
-    for (std::size_t i = 0; i < count; ++i) hits[first + i] = scene_->exact.hit(rays[first + i], found[i]);
+    for (std::size_t i = 0; i < count; ++i) hits[first + i] = scene_->exact->hit(rays[first + i], found[i]);
   }
 }
 
@@ -330,7 +314,7 @@ void Tracer::any_blockers(std::span<const Ray> rays, const IgnoredPatches& ignor
 std::uint32_t Tracer::blocker_around(const dvec3& origin, const dvec3& direction, std::uint32_t triangle,
                                      const IgnoredPatches& ignored_patches) const {
   const Ray ray{origin, direction};
-  return is_finite(ray) ? scene_->exact.nearest_around(ray, triangle, ignored_patches).triangle : no_index;
+  return is_finite(ray) ? scene_->exact->nearest_around(ray, triangle, ignored_patches).triangle : no_index;
 }
 
 }  // namespace raytube
