@@ -54,11 +54,7 @@ class EnclosedComponents {
 
   // Two triangles are apart if one lies clear of the other's plane; some others are, too.
   bool may_touch(std::uint32_t body, std::uint32_t triangle) {
-    const Box box = bounding_box(mesh_.corners(triangle));
-    const Patch bottom{dvec3(0, 0, 1), box.low.z};
-    tree_.collect(
-        {dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(box.low), dvec2(box.high), box.high.z, &bottom},
-        found_);
+    collect_near(tree_, mesh_.corners(triangle), margin_, found_);
     for (const std::uint32_t face : found_)
       for (const std::uint32_t other : tree_.triangles(face))
         if (mesh_.triangle_component[other] == body && !clear_of_plane(triangle, other) && !clear_of_plane(other, triangle))

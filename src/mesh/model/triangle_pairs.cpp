@@ -75,6 +75,14 @@ double solid_angle(const Corners& corners) {
   return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
 }
 
+void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found) {
+  const Box box = bounding_box(corners);
+  const dvec3 low = box.low - margin, high = box.high + margin;
+  const Patch bottom{dvec3(0, 0, 1), low.z};
+  const Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(low), dvec2(high), high.z, &bottom, 1.0};
+  faces.collect(prism, found);
+}
+
 double winding_number(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const dvec3& point) {
   double sum = 0.0;
   for (const std::uint32_t t : triangles) {

@@ -1,10 +1,11 @@
-// How two triangles lie to one another.
+// How triangles lie to one another and to a point.
 #pragma once
 
 #include <array>
 #include <span>
+#include <vector>
 
-#include "mesh/model/triangle_mesh.h"
+#include "mesh/model/face_tree.h"
 
 namespace raytube {
 
@@ -22,6 +23,9 @@ bool lie_upon_one_another(const Corners& a, const Corners& b, double distance);
 /// Solid angle of a triangle as the origin sees it, above zero if it runs counter-clockwise there (van Oosterom & Strackee 1983,
 /// IEEE Trans. BME-30, 125) [sr].
 double solid_angle(const Corners& corners);
+
+/// Fills `found` with the faces whose boxes reach into that of a triangle, widened by `margin` [m].
+void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found);
 
 /// How often these triangles wind about a point: those of a closed component wound outward once if it is inside, and never
 /// outside; else something between.

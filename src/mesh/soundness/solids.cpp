@@ -67,15 +67,6 @@ bool touch(const TriangleMesh& mesh, std::uint32_t t, std::uint32_t other, doubl
   return !are_apart(inner(a), inner(b), margin);
 }
 
-// Fills `found` with faces whose boxes reach into that of a triangle, widened by `margin`.
-void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found) {
-  const Box box = bounding_box(corners);
-  const dvec3 low = box.low - margin, high = box.high + margin;
-  const Patch bottom{dvec3(0, 0, 1), low.z};
-  const Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(low), dvec2(high), high.z, &bottom, 1.0};
-  faces.collect(prism, found);
-}
-
 // The first triangle that comes within rounding of one of a solid of another component; where they have a corner in common, one
 // that also goes on beyond it.
 std::optional<Contact> find_contact(const FaceTree& faces, const std::vector<std::uint32_t>& solids) {

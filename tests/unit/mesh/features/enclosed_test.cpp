@@ -34,6 +34,15 @@ TEST(Enclosed, NotWhatPassesThroughTheSkinOrLiesOnIt) {
   EXPECT_THAT(enclosed(shapes::joined(shapes::box(dvec3(-0.3), dvec3(0.2, 0.2, 1.0 - 1e-7)), hull)), ElementsAre(false, false));
 }
 
+// Through a slope that lies above the foot of what passes it.
+TEST(Enclosed, NotWhatPassesThroughASlope) {
+  const PolygonSoup octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  const auto post = [](double top) { return shapes::box(dvec3(0.28, -0.02, -0.5), dvec3(0.32, 0.02, top)); };
+  EXPECT_THAT(enclosed(shapes::joined(octahedron, post(0.5))), ElementsAre(false, true));
+  EXPECT_THAT(enclosed(shapes::joined(octahedron, post(0.9))), ElementsAre(false, false));
+}
+
 // In the hollow between the arms of an L: inside its box, outside the body. And within a box that is open on one side.
 TEST(Enclosed, NotInHollows) {
   const PolygonSoup lee = shapes::prism({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 2.0);
