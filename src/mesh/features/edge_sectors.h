@@ -47,7 +47,7 @@ struct FaceFrame {
   dvec3 normal;
 };
 
-/// The frame of faces[0] (`index` 0) or faces[1] of a sector about `tangent`, a unit vector; `outward` is normal to the face, about.
+/// The frame of faces[0] (`index` 0) or faces[1] of a sector about `tangent`, a unit vector; `outward` points out of its side.
 FaceFrame face_frame(const dvec3& outward, const dvec3& tangent, int index);
 FaceFrame face_frame(const TriangleMesh& mesh, const PatchSide& side, const dvec3& tangent, int index);
 

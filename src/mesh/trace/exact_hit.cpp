@@ -126,9 +126,8 @@ template <class Accept>
 void ExactHit::keep_nearer_of(std::span<const std::uint32_t> list, const Ray& ray, const IgnoredPatches& ignored_patches,
                               Hit& nearest, Accept accept) const {
   if (is_long(list))
-    keep_nearer_of_all(ray, ignored_patches, nearest, [&](std::uint32_t candidate) {
-      return std::ranges::binary_search(list, candidate) && accept(candidate);
-    });
+    keep_nearer_of_all(ray, ignored_patches, nearest,
+                       [&](std::uint32_t candidate) { return std::ranges::binary_search(list, candidate) && accept(candidate); });
   else
     for (const std::uint32_t candidate : list)
       if (accept(candidate)) keep_nearer(ray, candidate, ignored_patches, nearest);
