@@ -13,7 +13,6 @@
 #include "core/decimal.h"
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
-#include "jobs/memory.h"
 #include "jobs/warnings/warnings.h"
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/pieces.h"
@@ -223,10 +222,17 @@ Json launch_grid_json(const SolvePlan& plan) {
 Json memory_json(const SolvePlan& plan, const Case& c) {
   SolvePlan with_parts = plan;
   with_parts.keep_parts = true;
-  Json json = {{"with_parts_bytes", memory_of_run(with_parts, c)}, {"available_bytes", memory_to_be_had()}};
+  Json json = {{"with_parts_bytes", memory_of_run(with_parts, c).leader}, {"available_bytes", memory_to_be_had()}};
   if (std::ranges::any_of(c.sweep.materials, &Material::transmits))
     json["between_sheets_bytes"] = plan.threads * tubes_between_sheets_bytes(c.sweep.frequencies.size());
   return json;
+}
+
+// A look begun last ends up to one look after all others.
+double seconds_of_ranks(const SolvePlan& plan, const TimePrediction& time, int ranks) {
+  const double threads = static_cast<double>(ranks) * plan.threads, looks = static_cast<double>(plan.looks.computed.size());
+  const double setup = std::max(0.0, time.solve_s - time.look_s * looks / plan.threads);
+  return setup + time.look_s * std::max(1.0, looks / threads + 0.5 * (1.0 - 1.0 / threads));
 }
 
 }  // namespace
@@ -251,7 +257,7 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) 
   data["looks_computed"] = plan.looks.computed.size();
   data["launch_grid"] = launch_grid_json(plan);
   if (plan.rays()) data["ray_range_m"] = plan.ray_range;
-  data["memory_bytes"] = memory_of_run(plan, c);
+  data["memory_bytes"] = memory_of_run(plan, c).leader;
   data["memory"] = memory_json(plan, c);
   return data;
 }
@@ -267,6 +273,17 @@ Json time_data(const SolvePlan& plan, const TimePrediction& time) {
             {"at_most", time.at_most},
             {"given_up_after_s", probe_patience},
             {"threads", plan.threads}}}};
+}
+
+Json ranks_data(const SolvePlan& plan, const MemoryOfRun& memory, const TimePrediction& time, int ranks) {
+  return {{"ranks",
+           {{"count", ranks},
+            {"threads", plan.threads},
+            {"looks", plan.looks.computed.size()},
+            {"solve_s", seconds_of_ranks(plan, time, ranks)},
+            {"at_most", time.at_most},
+            {"leader_memory_bytes", memory.leader},
+            {"memory_bytes", memory.helper}}}};
 }
 
 }  // namespace raytube

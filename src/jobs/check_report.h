@@ -3,6 +3,7 @@
 
 #include "case/data/case.h"
 #include "core/ordered_json.h"
+#include "jobs/memory.h"
 #include "mesh/model/triangle_mesh.h"
 #include "plan/plan.h"
 #include "solve/probe.h"
@@ -16,5 +17,9 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan);
 /// How long the run will take, from looks that are timed for some seconds: a member "time".
 Json time_data(const SolvePlan& plan, const TimePrediction& time);
 TimePrediction predicted_time(const SolvePlan& plan);
+
+/// Time and memory of `ranks` processes with the plan's threads each: a member "ranks". `memory`: from before looks were timed,
+/// which takes memory, too. `time`: as predicted for one process. Looks do not end together: whole ones are dealt out.
+Json ranks_data(const SolvePlan& plan, const MemoryOfRun& memory, const TimePrediction& time, int ranks);
 
 }  // namespace raytube

@@ -10,7 +10,7 @@ namespace raytube {
 /// "0.12 s", "17 min"
 std::string seconds_text(double seconds);
 
-/// The sections that check_data, time_data and ranks_data (rank_forecast.h) have made, each alone or together.
+/// The sections that check_data, time_data and ranks_data (check_report.h) have made, each alone or together.
 std::string check_text(const Json& data);
 
 }  // namespace raytube

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "core/csv_reader.h"
 #include "core/decimal.h"
@@ -96,40 +97,44 @@ double image_bytes(const SolvePlan& plan, const Case& c) {
   return most;
 }
 
-struct Need {
-  double rows, image, sums, others;
-  double total() const { return rows + image + sums + others; }
-};
-
-Need need_of(const SolvePlan& plan, const Case& c) {
-  const MemoryEstimate solve = estimate_memory(plan);
+// All that the run holds.
+std::vector<MemoryPart> parts_of(const SolvePlan& plan, const Case& c) {
   const auto values = static_cast<double>(c.looks.theta_deg.size() + c.looks.phi_deg.size() + c.looks.rx_theta_deg.size() +
                                           c.looks.rx_phi_deg.size() + c.sweep.frequencies.size());
-  const double stored =
-      c.netcdf ? stored_bytes_per_row(plan.tell_parts ? plan.columns() : 0) * static_cast<double>(c.sweep.rows()) : 0.0;
-  return {solve.rows + stored, image_bytes(plan, c), solve.sums + plan.threads * bytes_per_thread,
-          held_now().resident + solve.edges + journal_bytes + values * bytes_per_angle};
+  std::vector<MemoryPart> parts = estimate_memory(plan);
+  if (c.netcdf)
+    parts.push_back({"netCDF file", MemoryOf::rows,
+                     stored_bytes_per_row(plan.tell_parts ? plan.columns() : 0) * static_cast<double>(c.sweep.rows())});
+  parts.push_back({"image", MemoryOf::image, image_bytes(plan, c)});
+  parts.push_back({"threads", MemoryOf::looks, plan.threads * bytes_per_thread});
+  parts.push_back({"program and target", MemoryOf::program, held_now().resident});
+  parts.push_back({"journal", MemoryOf::program, journal_bytes});
+  parts.push_back({"lists of the case", MemoryOf::program, values * bytes_per_angle});
+  return parts;
 }
 
-std::string remedy(const Need& need, const Case& c, const SolvePlan& plan, double available) {
-  if (need.sums > std::max(need.rows, need.image) && plan.threads > 1) {
-    const double fit = std::floor(plan.threads * (available - need.rows - need.image - need.others) / need.sums);
+// What would fit: by that which takes most, threads before rows.
+std::string remedy(const std::vector<MemoryPart>& parts, const Case& c, const SolvePlan& plan, double available) {
+  const double rows = bytes_of(parts, MemoryOf::rows), image = bytes_of(parts, MemoryOf::image),
+               looks = bytes_of(parts, MemoryOf::looks), program = bytes_of(parts, MemoryOf::program);
+  const bool most_for_looks = looks > std::max(rows, image);
+  if (most_for_looks && plan.threads > 1) {
+    const double fit = std::floor(plan.threads * (available - rows - image - program) / looks);
     if (fit >= 1.0) return fmt::format("--threads {} would fit", fit);
   }
-  if (need.image > need.rows) {
-    const double share = std::max(0.0, available - need.rows - need.sums - need.others) / need.image;
+  if (image > rows) {
+    const double share = std::max(0.0, available - rows - looks - program) / image;
     return share > 0.0 ? fmt::format("output.image_per_wavelength = {} would fit",
                                      rounded_down_text(c.image_per_wavelength * std::sqrt(share)))
                        : "leave out output.image_look";
   }
-  if (need.sums > std::max(need.rows, need.image)) {
+  if (most_for_looks) {
     const auto count = static_cast<double>(c.sweep.frequencies.size());
-    const double fit = std::floor(count * (available - need.image - need.others) / (need.rows + need.sums));
+    const double fit = std::floor(count * (available - image - program) / (rows + looks));
     return fit >= 1.0 ? fmt::format("split the sweep: {:.0f} of its {:.0f} frequencies would fit", fit, count)
                       : "split the sweep";
   }
-  const double per_row = need.rows / static_cast<double>(c.sweep.rows());
-  const double fit = std::floor(std::max(0.0, available - need.image - need.sums - need.others) / per_row);
+  const double fit = std::floor(std::max(0.0, available - image - looks - program) / rows * static_cast<double>(c.sweep.rows()));
   const std::string split =
       fit < 1.0 ? "split the sweep"
                 : fmt::format("split the sweep: {:.0f} of its {} rows (looks times frequencies) would fit", fit, c.sweep.rows());
@@ -142,11 +147,10 @@ std::string memory_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6) : fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
-double memory_of_run(const SolvePlan& plan, const Case& c) { return need_of(plan, c).total(); }
-
-double memory_of_helper(const SolvePlan& plan, const Case& c) {
-  const Need need = need_of(plan, c);
-  return need.sums + need.others;
+MemoryOfRun memory_of_run(const SolvePlan& plan, const Case& c) {
+  const std::vector<MemoryPart> parts = parts_of(plan, c);
+  const double helping = bytes_of(parts, MemoryOf::looks) + bytes_of(parts, MemoryOf::program);
+  return {helping + bytes_of(parts, MemoryOf::rows) + bytes_of(parts, MemoryOf::image), helping};
 }
 
 double memory_to_be_had() {
@@ -166,9 +170,11 @@ void require_memory(double bytes, const std::string& place, const std::string& w
 }
 
 void check_memory(const SolvePlan& plan, const Case& c, double kept) {
-  Need need = need_of(plan, c);
-  need.rows += kept;
-  require_memory(need.total(), c.file.string(), "the run", remedy(need, c, plan, memory_to_be_had()));
+  std::vector<MemoryPart> parts = parts_of(plan, c);
+  parts.push_back({"earlier results", MemoryOf::rows, kept});
+  double bytes = 0.0;
+  for (const MemoryPart& part : parts) bytes += part.bytes;
+  require_memory(bytes, c.file.string(), "the run", remedy(parts, c, plan, memory_to_be_had()));
 }
 
 }  // namespace raytube

@@ -8,11 +8,12 @@
 
 namespace raytube {
 
-/// Bytes that a run of this case is going to take at most, with what the program holds now.
-double memory_of_run(const SolvePlan& plan, const Case& c);
-
-/// The same of a process that computes looks for another one, which has the rows.
-double memory_of_helper(const SolvePlan& plan, const Case& c);
+/// Bytes that a run of a case is going to take at most, with what the program holds now.
+struct MemoryOfRun {
+  double leader;  // of the process that has the rows: the only one, if there are no others
+  double helper;  // of one that computes looks for it
+};
+MemoryOfRun memory_of_run(const SolvePlan& plan, const Case& c);
 
 /// Bytes the program may have in all: what it holds now and what is free, for it (control group, ulimit -v) and on the machine.
 double memory_to_be_had();

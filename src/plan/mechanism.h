@@ -60,6 +60,7 @@ struct MechanismEntry {
   std::unique_ptr<Mechanism> (*make)(const BandScene&);  // at the frequencies of a band; null if it is not there
   double (*bytes)(const SolvePlan&) = nullptr;           // that it holds for all looks, if it takes part
   double (*look_bytes)(const SolvePlan&) = nullptr;      // for each look under way
+  double (*budget)(const SolvePlan&) = nullptr;          // work it may take in a look, in units of all other work; null: no limit
   /// Tells the estimate of what is missing in a row what the mechanism has added there; null: nothing that it asks for.
   void (*tell)(const SolvePlan&, const Contribution&, std::size_t frequency, RowEvidence&) = nullptr;
 };

@@ -12,7 +12,6 @@
 #include "jobs/check_report.h"
 #include "jobs/check_text.h"
 #include "jobs/memory.h"
-#include "jobs/rank_forecast.h"
 #include "jobs/solvable.h"
 #include "output/tables/wedges_csv.h"
 #include "output/vtk/wedges_vtp.h"
@@ -81,7 +80,7 @@ void check_case(const CheckRequest& asked) {
   add(check_data(c, loaded.report, plan));
   if (!asked.wedge_list.empty()) write_wedges(asked.wedge_list, plan);
   check_memory(plan, c);  // as a run would
-  const RankMemory memory = memory_of_ranks(plan, c);
+  const MemoryOfRun memory = memory_of_run(plan, c);
   const TimePrediction time = predicted_time(plan);
   add(time_data(plan, time));
   if (asked.ranks > 0) add(ranks_data(plan, memory, time, asked.ranks));

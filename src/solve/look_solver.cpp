@@ -32,17 +32,16 @@ BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncer
                         plan.max_bounces());
 }
 
-LookResult BandSolver::solve(const Look& look, Progress& progress, double share, const StageCallback& begins) const {
+LookResult BandSolver::solve(const Look& look, Progress& progress, double share) const {
   const SolvePlan& plan = scene_.plan;
   if (plan.rays()) return rays(look, progress, share);
   LookResult result;
   result.tubes = trace_tubes(look, progress, first_tubes_share * share, nullptr);
   LookSink sink;
-  result.mechanisms = run_mechanisms({look, result.tubes}, sink, begins);
+  result.mechanisms = run_mechanisms({look, result.tubes}, sink, progress, share);
   result.met = {result.tubes.met};
   result.truncated = {result.tubes.truncated.sigma()};
   if (!plan.sweep.bistatic) make_look_reciprocal(result);
-  progress.add((1.0 - first_tubes_share) * share);
   return result;
 }
 
@@ -79,7 +78,8 @@ void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, co
 ImageRequest BandSolver::edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const {
   LookSink sink;
   sink.image = &request;
-  run_mechanisms({look, tubes}, sink, {});
+  Progress silent({});
+  run_mechanisms({look, tubes}, sink, silent, 0.0);
   return request;
 }
 
@@ -95,11 +95,14 @@ TubeSums BandSolver::trace_tubes(const Look& look, Progress& progress, double sh
   return sbr_scattering(scene_.tubes, look, scene_.band.frequencies, scene_.plan.tubes, work);
 }
 
-std::vector<Contribution> BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const {
+std::vector<Contribution> BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, Progress& progress,
+                                                     double share) const {
+  const double step = (1.0 - first_tubes_share) * share / static_cast<double>(mechanisms_.size() + 1);
   std::vector<Contribution> all;
+  progress.add(step);
   for (std::size_t i = 0; i < mechanisms_.size(); ++i) {
-    if (begins) begins(i);
     all.push_back(run(i, look, sink));
+    progress.add(step);
   }
   return all;
 }
@@ -153,14 +156,13 @@ LookSolver::LookSolver(const SolvePlan& plan) : plan_(plan), model_(plan) {
   for (std::size_t b = 0; b < plan.bands.size(); ++b) bands_.push_back(std::make_unique<const BandSolver>(plan, b, model_));
 }
 
-LookResult LookSolver::solve(std::size_t index, Progress& progress, double share, const StageCallback& begins) const {
+LookResult LookSolver::solve(std::size_t index, Progress& progress, double share) const {
   const Look& look = plan_.sweep.looks[index];
-  if (bands_.size() == 1) return bands_.front()->solve(look, progress, share, begins);
+  if (bands_.size() == 1) return bands_.front()->solve(look, progress, share);
   LookResult all;
   const double each = share / static_cast<double>(bands_.size());
   for (std::size_t b = 0; b < bands_.size(); ++b)
-    put_band(plan_.bands[b], bands_[b]->solve(look, progress, each, b + 1 == bands_.size() ? begins : StageCallback()),
-             plan_.sweep.frequencies.size(), all);
+    put_band(plan_.bands[b], bands_[b]->solve(look, progress, each), plan_.sweep.frequencies.size(), all);
   return all;
 }
 

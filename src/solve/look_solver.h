@@ -1,7 +1,6 @@
 // The tubes of a look, then one mechanism after the other.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,11 +16,16 @@
 
 namespace raytube {
 
-/// Of the progress of a look, what is told as its tubes go on for the first time: they may be refined, and edges follow.
+/// Share of a look's progress in a band that the first pass of its tubes reports. The rest is told in equal steps: as the tubes
+/// are done, refined, and as each mechanism is.
 inline constexpr double first_tubes_share = 0.5;
 
-/// Told of a mechanism of the plan, by its index, before it begins.
-using StageCallback = std::function<void(std::size_t mechanism)>;
+/// The share of the progress of a look in a band that is left when a mechanism of the plan begins, by its index.
+inline double share_left(const SolvePlan& plan, std::size_t mechanism) {
+  const auto steps = static_cast<double>(plan.mechanisms.size() + 1),
+             left = static_cast<double>(plan.mechanisms.size() - mechanism);
+  return (1.0 - first_tubes_share) * left / steps;
+}
 
 /// Computes looks at the frequencies of one band. Refers to the plan and its model uncertainty.
 class BandSolver {
@@ -30,7 +34,7 @@ class BandSolver {
   BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model);
   BandSolver(const BandSolver&) = delete;
 
-  LookResult solve(const Look& look, Progress& progress, double share, const StageCallback& begins) const;
+  LookResult solve(const Look& look, Progress& progress, double share) const;
   /// Fills the cells, triangles and pieces of an image with what adds to S at one of the band's frequencies.
   void solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
@@ -47,7 +51,7 @@ class BandSolver {
   TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
   ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const;
   LookResult rays(const Look& look, Progress& progress, double share) const;
-  std::vector<Contribution> run_mechanisms(const TracedLook& look, LookSink& sink, const StageCallback& begins) const;
+  std::vector<Contribution> run_mechanisms(const TracedLook& look, LookSink& sink, Progress& progress, double share) const;
   Contribution run(std::size_t mechanism, const TracedLook& look, LookSink& sink) const;
 
   BandScene scene_;
@@ -63,8 +67,8 @@ class LookSolver {
   explicit LookSolver(const SolvePlan& plan);
 
   /// All mechanisms of look `index` of the sweep at every frequency, phase reference at the centre of the mesh (at a finite
-  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by. Tells when a mechanism `begins`.
-  LookResult solve(std::size_t index, Progress& progress, double share, const StageCallback& begins = {}) const;
+  /// distance: the origin of its coordinates). Adds `share` to `progress` by and by.
+  LookResult solve(std::size_t index, Progress& progress, double share) const;
 
   /// Fills an image of look `index` with what adds to it at one of the sweep's frequencies: tubes in cells and triangles, all
   /// others in pieces within a cell of the lattice each. Recentred coordinates, phase reference as of solve().

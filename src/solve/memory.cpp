@@ -22,14 +22,6 @@ double bytes_per_row(const SolvePlan& plan) {
   return (1.0 + model) * sizeof(ChannelErrors) + (1.0 + parts) * sizeof(ScatteringMatrix);
 }
 
-// What the mechanisms that take part hold: for all looks, or for each look under way.
-double mechanism_bytes(const SolvePlan& plan, double (*MechanismEntry::*bytes)(const SolvePlan&)) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i)
-    if (plan.mechanisms[i].*bytes && plan.states[i].on) sum += (plan.mechanisms[i].*bytes)(plan);
-  return sum;
-}
-
 // In which the launch grid has the most cells, by the box round the target: quicker than by all of its vertices. From nearby the
 // box looks larger.
 const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const TubeOptions& tubes) {
@@ -48,47 +40,58 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
   return *std::ranges::max_element(sweep.looks, {}, area);
 }
 
-bool has_sheets(const SolvePlan& plan) { return std::ranges::any_of(plan.sweep.materials, &Material::transmits); }
-
-// Of the sums that are kept for refinement.
-double refined_bytes(const SolvePlan& plan) {
-  if (plan.rays() || !plan.tubes.refines()) return 0.0;
+// Groups of sums that a look has at a time.
+std::size_t tiles(const SolvePlan& plan, const Look& look) {
   const Target& target = plan.target;
-  const std::size_t tiles =
-      tiles_of_look(target.tracer, target.faces, plan.sweep.looks.front(), plan.sweep.frequencies, plan.tubes, has_sheets(plan));
-  std::size_t frequencies = 0;  // bands are solved one after the other
-  for (const BandPlan& band : plan.bands) frequencies = std::max(frequencies, band.frequencies.size());
-  return block_sum_bytes(tiles, plan.max_bounces(), frequencies);
+  const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
+  return tiles_of_look(target.tracer, target.faces, look, plan.sweep.frequencies, plan.tubes, sheets);
 }
 
-// Groups of sums that a look may have at a time.
+// The most that any look may have.
 std::size_t most_tiles(const SolvePlan& plan) {
   if (plan.rays()) return 1;
-  const Target& target = plan.target;
-  const Sweep& sweep = plan.sweep;
-  const auto tiles = [&](const Look& look) {
-    return tiles_of_look(target.tracer, target.faces, look, sweep.frequencies, plan.tubes, has_sheets(plan));
-  };
-  if (plan.tubes.mode == TubeMode::uniform) return tiles(widest_look(target.mesh, sweep, plan.tubes));
-  const std::size_t flat = tiles(sweep.looks.front());
+  if (plan.tubes.mode == TubeMode::uniform) return tiles(plan, widest_look(plan.target.mesh, plan.sweep, plan.tubes));
+  const std::size_t flat = tiles(plan, plan.sweep.looks.front());
   const auto is_flat = [](const BandPlan& band) { return band.smooth == nullptr; };
   if (std::ranges::all_of(plan.bands, is_flat)) return flat;
   return plan.no_reflection() ? std::max(flat, CurvedLook::blocks) : std::numeric_limits<std::size_t>::max();
 }
 
+// Bands are solved one after the other.
+double refined_bytes(const SolvePlan& plan) {
+  if (plan.rays() || !plan.tubes.refines()) return 0.0;
+  std::size_t frequencies = 0;
+  for (const BandPlan& band : plan.bands) frequencies = std::max(frequencies, band.frequencies.size());
+  return block_sum_bytes(tiles(plan, plan.sweep.looks.front()), plan.max_bounces(), frequencies);
+}
+
 }  // namespace
 
-MemoryEstimate estimate_memory(const SolvePlan& plan) {
+std::vector<MemoryPart> estimate_memory(const SolvePlan& plan) {
   const int bounces = plan.max_bounces();
-  const std::size_t frequencies = plan.sweep.frequencies.size();
+  const std::size_t frequencies = plan.sweep.frequencies.size(), columns = plan.columns() - static_cast<std::size_t>(bounces);
   const auto rows = static_cast<double>(plan.sweep.rows()), looks = static_cast<double>(plan.sweep.looks.size());
-  const auto under_way = std::min<std::size_t>(plan.threads > 0 ? plan.threads : all_threads(), plan.sweep.looks.size());
-  const double edge_sums =
-      static_cast<double>((plan.columns() - static_cast<std::size_t>(bounces)) * frequencies * sizeof(ScatteringMatrix));
-  return {rows * bytes_per_row(plan) + looks * bytes_per_look,
-          static_cast<double>(under_way) * (look_sum_bytes(most_tiles(plan), bounces, frequencies) + refined_bytes(plan) +
-                                            edge_sums + mechanism_bytes(plan, &MechanismEntry::look_bytes)),
-          mechanism_bytes(plan, &MechanismEntry::bytes)};
+  const double under_way = std::min(static_cast<double>(plan.threads > 0 ? plan.threads : all_threads()), looks);
+  std::vector<MemoryPart> parts{
+      {"rows", MemoryOf::rows, rows * bytes_per_row(plan)},
+      {"looks of the sweep", MemoryOf::rows, looks * bytes_per_look},
+      {"sums of tubes", MemoryOf::looks, under_way * look_sum_bytes(most_tiles(plan), bounces, frequencies)},
+      {"sums of tubes that are refined", MemoryOf::looks, under_way * refined_bytes(plan)},
+      {"sums of mechanisms", MemoryOf::looks, under_way * static_cast<double>(columns * frequencies * sizeof(ScatteringMatrix))}};
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i) {
+    const MechanismEntry& mechanism = plan.mechanisms[i];
+    if (!plan.states[i].on) continue;
+    if (mechanism.bytes) parts.push_back({mechanism.label, MemoryOf::program, mechanism.bytes(plan)});
+    if (mechanism.look_bytes) parts.push_back({mechanism.label, MemoryOf::looks, under_way * mechanism.look_bytes(plan)});
+  }
+  return parts;
+}
+
+double bytes_of(const std::vector<MemoryPart>& parts, MemoryOf of) {
+  double sum = 0.0;
+  for (const MemoryPart& part : parts)
+    if (part.of == of) sum += part.bytes;
+  return sum;
 }
 
 }  // namespace raytube

@@ -1,20 +1,32 @@
 // How much memory a solve will take, before it begins.
 #pragma once
 
+#include <vector>
+
 #include "plan/plan.h"
 
 namespace raytube {
 
-/// What grows with a sweep [bytes]. How dense the tubes are is not in it: tiles are streamed.
-struct MemoryEstimate {
-  double rows = 0.0;   // what a row takes times their number, and of each look a little
-  double sums = 0.0;   // of looks under way, on all threads
-  double edges = 0.0;  // sets of edges, one for all frequencies at which the same plates are thin
-
-  double total() const { return rows + sums + edges; }
+/// What the bytes of a part grow with. How dense the tubes are plays no part: tiles are streamed.
+enum class MemoryOf {
+  rows,    // of the sweep
+  image,   // its cells
+  looks,   // under way: one for each thread
+  program  // and the target, whatever is asked of them
 };
 
-/// Upper bound but for what threads and libraries take for themselves: a target may have fewer bounces than `max_bounces`.
-MemoryEstimate estimate_memory(const SolvePlan& plan);
+/// One thing that a run holds.
+struct MemoryPart {
+  const char* what;
+  MemoryOf of;
+  double bytes;
+};
+
+/// What a solve takes: upper bounds but for what threads and libraries take for themselves, as a target may have fewer bounces
+/// than `max_bounces`.
+std::vector<MemoryPart> estimate_memory(const SolvePlan& plan);
+
+/// The bytes of all parts that grow with the same.
+double bytes_of(const std::vector<MemoryPart>& parts, MemoryOf of);
 
 }  // namespace raytube

@@ -63,7 +63,7 @@ std::size_t spread(std::size_t n, std::size_t count) {
 SolvePlan bounded_part(const SolvePlan& plan) {
   SolvePlan part = plan;
   for (std::size_t i = 0; i < part.mechanisms.size(); ++i)
-    if (part.mechanisms[i].budget_key) part.states[i] = without("its budget bounds its time");
+    if (part.mechanisms[i].budget) part.states[i] = without("its budget bounds its time");
   if (!plan.tubes.refines()) return part;
   const double densest = densest_tubes(plan.target.mesh, plan.sweep, plan.tubes);
   part.tubes.per_wavelength = std::max(first_density(plan.tubes), std::min(plan.tubes.max_per_wavelength, 0.9 * densest));
@@ -108,21 +108,24 @@ class Probe {
       so_far.passed_s = seconds_since(start);
       const double of_tubes = share / first_tubes_share;
       if (of_tubes <= 1.0 + share_rounding) so_far.share = of_tubes, so_far.share_s = so_far.passed_s;
+      if (!so_far.tubes_s && has_begun(0, share)) so_far.tubes_s = so_far.passed_s;
+      for (std::size_t i = 0; i < plan_.mechanisms.size() && !so_far.edges_s; ++i)
+        if (plan_.mechanisms[i].budget && has_begun(i, share)) so_far.edges_s = so_far.passed_s;
       return true;
     });
-    const auto begins = [&](std::size_t mechanism) {
-      so_far.passed_s = seconds_since(start);
-      if (mechanism == 0) so_far.tubes_s = so_far.passed_s;
-      if (plan_.mechanisms[mechanism].budget_key) so_far.edges_s = so_far.passed_s;
-    };
     const std::size_t look = plan_.looks.computed[spread(n, plan_.looks.computed.size())];
     try {
-      look_bytes(solver_.solve(look, progress, 1.0, begins));
+      look_bytes(solver_.solve(look, progress, 1.0));
     } catch (const Interrupted&) {
       so_far.passed_s = seconds_since(start);
       throw;
     }
     stop_if_cancelled();
+  }
+
+  // Whether a look with this share of its progress has come to a mechanism in the last band.
+  bool has_begun(std::size_t mechanism, double share) const {
+    return 1.0 - share <= share_left(plan_, mechanism) / static_cast<double>(plan_.bands.size()) + share_rounding;
   }
 
   const SolvePlan& plan_;
@@ -177,7 +180,9 @@ double longest_look(const LookSoFar& look, const SolvePlan& plan) {
   const double pass = look.tubes_s.value_or(std::max(look.passed_s, so_far));
   const double begun = look.tubes_s ? std::max(0.1 * pass, look.passed_s - pass) : pass;
   const double edges = look.edges_s ? *look.edges_s - pass : unknown_edges * begun;
-  const double budget = plan.state("interaction").on ? plan.edges.interaction_budget : 0.0;
+  double budget = 0.0;
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i)
+    if (plan.states[i].on && plan.mechanisms[i].budget) budget += plan.mechanisms[i].budget(plan);
   return (all_passes * pass + edges) * (1.0 + budget);
 }
 

@@ -25,7 +25,7 @@ struct LookSoFar {
 
 /// What the look of the plan takes at most [s]. Tubes: at the rate of those done, and as much again as a geometric series of less
 /// dense ones takes, each density at least half as high again as the one before. Edges that were not done: thirty times what
-/// has passed since the tubes were, or where these were not thirty times their pass. Edge-face interaction: all of its budget.
+/// has passed since the tubes were, or where these were not thirty times their pass. Mechanisms with a budget: all of it.
 double longest_look(const LookSoFar& look, const SolvePlan& plan);
 
 /// Times looks spread over the sweep, on as many threads as the solve will have, for about `seconds` [s]; looks that take longer

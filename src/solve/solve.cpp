@@ -16,36 +16,24 @@ namespace raytube {
 
 namespace {
 
-// One kept from an earlier solve, if there is.
+// A look kept from an earlier solve, if there is one.
 std::optional<LookResult> kept_look(const KeptLooks& kept, std::size_t index, std::size_t frequencies) {
   if (!kept.find) return {};
   const std::string bytes = kept.find(index);
   return bytes.empty() ? std::nullopt : look_of_bytes(bytes, frequencies);
 }
 
+// What is done with each look that is computed here, found by another process, or kept from before; in any order.
 using LookDone = std::function<void(std::size_t index, const LookResult& look)>;
 
-// Those that the team leaves to this process. Looks run side by side, tiles within a look too; every sum is taken in index order,
-// so threads never show in the result.
-void compute_looks(const SolvePlan& plan, const LookSolver& solver, WorkTeam& team, Progress& progress, double share,
-                   const LookDone& done) {
-  compute_items(team, plan.looks.computed.size(), plan.threads, [&](std::size_t index) {
-    // Tubes, then edges, then edges on faces: physical optics of every bounce and what it lacks.
-    LookResult found = solver.solve(plan.looks.computed[index], progress, share);
-    stop_if_cancelled();
-    found.keep_sums_only();
-    done(index, found);
-  });
-}
-
-// Kept looks before all others, so that whoever is told of the progress sees at what rate the others are computed.
+// Takes the looks that are kept, and says which these are.
 std::vector<bool> take_kept(const SolvePlan& plan, const KeptLooks& kept, Progress& progress, double share,
                             const LookDone& done) {
   std::vector<char> known(plan.looks.computed.size());
   tbb::parallel_for(std::size_t{0}, known.size(), [&](std::size_t index) {
     const std::optional<LookResult> look = kept_look(kept, index, plan.sweep.frequencies.size());
     if (!look) return;
-    done(index, *look);
+    if (done) done(index, *look);
     known[index] = 1;
     progress.add(share);
   });
@@ -53,33 +41,46 @@ std::vector<bool> take_kept(const SolvePlan& plan, const KeptLooks& kept, Progre
   return {known.begin(), known.end()};
 }
 
+// Computes the looks of a shard that are left to this process: by an earlier solve, whose looks come before all others so that
+// the progress tells at what rate these are computed, and by its team. Each new one is handed to kept.keep, each of all to
+// `done`. Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the
+// result.
+void compute_looks(const SolvePlan& plan, const LookSolver& solver, const Shard& shard,
+                   const std::function<bool(double)>& callback, const KeptLooks& kept, WorkTeam* team, const LookDone& done) {
+  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
+  TeamOfOne alone;
+  WorkTeam& all = team ? *team : alone;
+  Progress progress(callback);
+  const double share = all.leads() ? 1.0 / static_cast<double>(shard.size(looks)) : 0.0;
+  run_on_threads(plan.threads, [&] {
+    std::vector<bool> known = all.leads() ? take_kept(plan, kept, progress, share, done) : std::vector<bool>(looks);
+    for (std::size_t index = 0; index < looks; ++index) known[index] = known[index] || !shard.has(index);
+    TeamMember member(all, known, [&](std::size_t index, std::string bytes) {
+      if (done) done(index, look_of_bytes(bytes, frequencies).value());
+      if (kept.keep) kept.keep(index, std::move(bytes));
+      progress.add(share);
+    });
+    compute_items(all, looks, plan.threads, [&](std::size_t index) {
+      LookResult found = solver.solve(plan.looks.computed[index], progress, share);
+      stop_if_cancelled();
+      found.keep_sums_only();
+      if (done) done(index, found);
+      if (kept.keep) kept.keep(index, look_bytes(found));
+    });
+    member.finish();
+  });
+}
+
 }  // namespace
 
 SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& callback, const KeptLooks& kept, WorkTeam* team) {
   const auto start = std::chrono::steady_clock::now();
-  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
-  if (kept.begin) kept.begin(looks);
+  if (kept.begin) kept.begin(plan.looks.computed.size());
   const LookSolver solver(plan);
   // The rows of each look, and of those that repeat it or are its mirror image.
   Rows rows(plan, solver.model_uncertainty(), solver.edge_lengths());
-  Progress progress(callback);
-  const double share = 1.0 / static_cast<double>(looks);
-  const LookDone add = [&rows](std::size_t index, const LookResult& look) { rows.add(index, look); };
-  const auto take = [&](std::size_t index, std::string bytes) {
-    add(index, look_of_bytes(bytes, frequencies).value());
-    if (kept.keep) kept.keep(index, std::move(bytes));
-    progress.add(share);
-  };
-  TeamOfOne alone;
-  WorkTeam& all = team ? *team : alone;
-  run_on_threads(plan.threads, [&] {
-    TeamMember leader(all, take_kept(plan, kept, progress, share, add), take);
-    compute_looks(plan, solver, all, progress, share, [&](std::size_t index, const LookResult& look) {
-      add(index, look);
-      if (kept.keep) kept.keep(index, look_bytes(look));
-    });
-    leader.finish();
-  });
+  compute_looks(plan, solver, {}, callback, kept, team,
+                [&rows](std::size_t index, const LookResult& look) { rows.add(index, look); });
   SweepResult result = plan.ground ? sum_of_paths(plan, rows.finish()) : rows.finish();
   result.statistics.solve_s = plan.seconds + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
@@ -87,36 +88,15 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
 
 void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<bool(double)>& callback, const KeptLooks& kept,
                  WorkTeam* team) {
-  const std::size_t looks = plan.looks.computed.size(), own = shard.size(looks);
+  const std::size_t own = shard.size(plan.looks.computed.size());
   if (kept.begin) kept.begin(own);
-  if (own == 0 && !team) return;
-  const LookSolver solver(plan);
-  Progress progress(callback);
-  const double share = 1.0 / static_cast<double>(own);
-  TeamOfOne alone;
-  WorkTeam& all = team ? *team : alone;
-  run_on_threads(plan.threads, [&] {
-    std::vector<bool> done = take_kept(plan, kept, progress, share, [](std::size_t, const LookResult&) {});
-    for (std::size_t index = 0; index < looks; ++index) done[index] = done[index] || !shard.has(index);
-    TeamMember leader(all, done, [&](std::size_t index, std::string bytes) {
-      kept.keep(index, std::move(bytes));
-      progress.add(share);
-    });
-    compute_looks(plan, solver, all, progress, share,
-                  [&](std::size_t index, const LookResult& look) { kept.keep(index, look_bytes(look)); });
-    leader.finish();
-  });
+  if (own > 0 || team) compute_looks(plan, LookSolver(plan), shard, callback, kept, team, {});
 }
 
 void help_to_solve(const SolvePlan& plan, WorkTeam& team, const std::function<bool(double)>& callback) {
-  const LookSolver solver(plan);
-  Progress progress(callback);
-  run_on_threads(plan.threads, [&] {
-    TeamMember member(team, std::vector<bool>(plan.looks.computed.size()), {});
-    compute_looks(plan, solver, team, progress, 0.0,
-                  [&](std::size_t index, const LookResult& look) { team.give(index, look_bytes(look)); });
-    member.finish();
-  });
+  const KeptLooks given{
+      .begin = {}, .find = {}, .keep = [&team](std::size_t index, std::string bytes) { team.give(index, std::move(bytes)); }};
+  compute_looks(plan, LookSolver(plan), {}, callback, given, &team, {});
 }
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {

@@ -50,6 +50,7 @@ const std::vector<MechanismEntry>& mechanism_list() {
        .make = make_interaction,
        .bytes = interaction_bytes,
        .look_bytes = interaction_look_bytes,
+       .budget = [](const SolvePlan& plan) { return plan.edges.interaction_budget; },
        .tell = tell_interaction},
   };
   return list;

@@ -100,7 +100,7 @@ TEST(MechanismList, ANewOneHasASwitchACostAndABound) {
   const SweepResult beyond = solve(shining.plan([](const AmplitudeLimits&) { return 1e-6; }));
   ASSERT_EQ(beyond.statistics.beyond_bound.size(), 1u);
   EXPECT_EQ(beyond.statistics.beyond_bound[0].part, "shining edges (edges.order)");
-  const auto bytes = [](const SolvePlan& plan) { return estimate_memory(plan).edges; };
+  const auto bytes = [](const SolvePlan& plan) { return bytes_of(estimate_memory(plan), MemoryOf::program); };
   const SolvePlan none(shining.target, shining.sweep, shining.options);
   EXPECT_EQ(bytes(shining.plan()), bytes(none) + 1e6);
   shining.options.edges.order = 1;
