@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/check_text.h"
-#include "jobs/recorded_run.h"
+#include "jobs/shared_work.h"
 
 namespace raytube::python {
 

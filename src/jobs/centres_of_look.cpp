@@ -49,8 +49,8 @@ LookCentres found_centres(const Target& target, const Case& c, const CentresAske
         result.s += piece.s;
       },
       c.ground);
-  result.found =
-      scattering_centres(result.pieces, axes_of_look(result.direction), {asked.count, result.side, length, piece_names()});
+  result.found = scattering_centres(result.pieces, axes_of_look(result.direction),
+                                    {asked.count, result.side, length, piece_names(mechanism_list())});
   return result;
 }
 

@@ -31,8 +31,6 @@ namespace {
 // Looks are timed for so long, and the first ones given up after so long [s].
 constexpr double probe_seconds = 1.5, probe_patience = 2.0;
 
-double highest_frequency(const Sweep& sweep) { return std::ranges::max(sweep.frequencies); }
-
 Json vector_json(const dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 const char* state_text(const Component& component) {
@@ -58,10 +56,10 @@ Json shape_json(const Target& target) {
   return json;
 }
 
-Json mesh_json(const MeshReport& counts, const Target& target, double frequency) {
+Json mesh_json(const MeshReport& counts, const Target& target, double wavelength) {
   const TriangleMesh& mesh = target.mesh;
   const dvec3 size = size_of(mesh.vertices);
-  Json json = {{"size_m", vector_json(size)}, {"size_wavelengths", vector_json(size / wavelength(frequency))}};
+  Json json = {{"size_m", vector_json(size)}, {"size_wavelengths", vector_json(size / wavelength)}};
   for (const auto& [name, value] : mesh_counts(counts)) json[name] = count_or_length(value);
   for (const MeshNote& note : counts.notes()) json["notes"].push_back({{"what", note.what}, {"count", note.count}});
   json["vertices"] = mesh.vertices.size();
@@ -92,28 +90,27 @@ std::vector<Json> wedge_classes(const std::vector<Wedge>& wedges) {
   return classes;
 }
 
-std::string why_nothing(const Case& c) {
-  if (c.edges.materials == MaterialEdgeMethod::none) return "edges.materials = \"none\"";
-  return "their currents are unknown, for example those of sheets with k d |n| above 4";
-}
-
-std::vector<std::string> material_edge_lines(const Case& c, const std::vector<Wedge>& wedges) {
+std::vector<std::string> material_edge_lines(const SolvePlan& plan) {
   std::vector<std::string> lines;
-  if (c.edges.method != EdgeMethod::fringe) return lines;
-  const auto [all, of_solids, known] = count_material_edges(wedges, c.sweep.materials, c.sweep.frequencies);
-  const std::size_t computed = c.edges.materials == MaterialEdgeMethod::none ? 0 : known;
-  if (computed > 0)
-    lines.push_back(fmt::format("{} with a face that is not a perfect conductor have edge currents of their own", computed));
-  if (of_solids > 0) lines.push_back(fmt::format("{} of solids add nothing", of_solids));
-  if (const std::size_t others = all - of_solids - computed; others > 0)
-    lines.push_back(fmt::format("{} with a face that is not a perfect conductor add nothing ({})", others, why_nothing(c)));
+  if (!plan.fringe()) return lines;
+  const MaterialEdgeCount count = count_material_edges(plan.target, plan.sweep, plan.edges);
+  if (count.computed > 0)
+    lines.push_back(
+        fmt::format("{} with a face that is not a perfect conductor have edge currents of their own", count.computed));
+  if (count.of_solids > 0) lines.push_back(fmt::format("{} of solids add nothing", count.of_solids));
+  if (const std::size_t others = count.all - count.of_solids - count.computed; others > 0)
+    lines.push_back(fmt::format("{} with a face that is not a perfect conductor add nothing ({})", others,
+                                plan.edges.materials == MaterialEdgeMethod::none
+                                    ? "edges.materials = \"none\""
+                                    : "their currents are unknown, for example those of sheets with k d |n| above 4"));
   return lines;
 }
 
-std::vector<std::string> thin_plate_lines(const Case& c, std::span<const ThinPlateEdge> rims) {
+std::vector<std::string> thin_plate_lines(const SolvePlan& plan) {
+  const std::vector<ThinPlateEdge>& rims = plan.thin_plate_edges;
   std::vector<std::string> lines;
-  const auto [lowest, highest] = std::ranges::minmax(c.sweep.frequencies);
-  if (c.edges.method != EdgeMethod::fringe || count_thin(rims, lowest) == 0) return lines;
+  const auto [lowest, highest] = std::ranges::minmax(plan.sweep.frequencies);
+  if (!plan.fringe() || count_thin(rims, lowest) == 0) return lines;
   const auto add = [&](double frequency) {
     lines.push_back(fmt::format("{} at {} GHz: edges of plates thinner than {:.4g} mm, a tenth of the wavelength",
                                 count_text(count_thin(rims, frequency), "half plane"), number_text(frequency / 1e9),
@@ -124,12 +121,12 @@ std::vector<std::string> thin_plate_lines(const Case& c, std::span<const ThinPla
   return lines;
 }
 
-Json wedges_json(const Case& c, const SolvePlan& plan) {
+Json wedges_json(const SolvePlan& plan) {
   const std::vector<Wedge>& wedges = plan.target.wedges;
   double length = 0.0;
   for (const Wedge& wedge : wedges) length += wedge.length();
-  std::vector<std::string> notes = material_edge_lines(c, wedges);
-  std::ranges::copy(thin_plate_lines(c, plan.thin_plate_edges), std::back_inserter(notes));
+  std::vector<std::string> notes = material_edge_lines(plan);
+  std::ranges::copy(thin_plate_lines(plan), std::back_inserter(notes));
   return {{"count", wedges.size()}, {"length_m", length}, {"classes", wedge_classes(wedges)}, {"notes", notes}};
 }
 
@@ -247,9 +244,9 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) 
   data["frequencies"] = c.sweep.frequencies.size();
   data["rows"] = c.sweep.rows();
   if (!c.image_looks.empty()) data["image_ghz"] = c.sweep.frequencies[image_frequency(c.sweep)] / 1e9;
-  data["mesh"] = mesh_json(counts, plan.target, highest_frequency(c.sweep));
+  data["mesh"] = mesh_json(counts, plan.target, plan.shortest_wavelength());
   data["materials"] = material_lines(c, plan.target);
-  data["wedges"] = wedges_json(c, plan);
+  data["wedges"] = wedges_json(plan);
   data["curved_surfaces"] = curved_surfaces_json(plan);
   data["mechanisms"] = mechanisms_json(plan);
   data["skipped"] = skipped_lines(counts, plan);

@@ -20,6 +20,9 @@ constexpr std::size_t most_lines = 10;
 
 std::string line(const char* name, const std::string& text) { return fmt::format("{:<12} {}\n", name, text); }
 
+double number_at(const Json& json, const char* name) { return json[name].get<double>(); }
+std::uint64_t count_at(const Json& json, const char* name) { return json[name].get<std::uint64_t>(); }
+
 dvec3 vector_of(const Json& json) { return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()}; }
 
 std::vector<double> numbers_of(const Json& one_or_list) {
@@ -53,8 +56,7 @@ std::string directions_text(const Json& looks) {
 
 std::string looks_text(const Json& data) {
   const Json& c = data["case"];
-  const std::string count =
-      fmt::format("{} {}", data["looks"].get<std::size_t>(), data["bistatic"] == true ? "bistatic" : "monostatic");
+  const std::string count = fmt::format("{} {}", count_at(data, "looks"), data["bistatic"] == true ? "bistatic" : "monostatic");
   const Json* const looks = find(c, "look");
   if (!looks) return count + ", from the positions in [radar]";
   if (looks->contains("looks_csv")) return count + ", listed in " + text_at(*looks, "looks_csv");
@@ -92,12 +94,12 @@ std::string tube_lines(const Json& c, double highest_ghz) {
   if (text_at(c["edges"], "method") == "utd")
     return line("tubes", fmt::format("none: rays instead (edges.method \"utd\"), at most {} reflections", bounces.get<int>()));
   const char* const mode = text_at(tubes, "mode") == "uniform" ? "uniform" : "adaptive, cut exactly at edges";
-  std::string text =
-      line("tubes", fmt::format("{}, {} per wavelength at {} GHz, at most {} bounces", mode,
-                                tubes["per_wavelength"].get<double>(), number_text(highest_ghz), bounces.get<int>()));
-  if (const Json* up = find(tubes, "up"))
-    text += line(
-        "", fmt::format("grid rows follow ({}, {}, {})", (*up)[0].get<double>(), (*up)[1].get<double>(), (*up)[2].get<double>()));
+  std::string text = line("tubes", fmt::format("{}, {} per wavelength at {} GHz, at most {} bounces", mode,
+                                               number_at(tubes, "per_wavelength"), number_text(highest_ghz), bounces.get<int>()));
+  if (const Json* up = find(tubes, "up")) {
+    const dvec3 rows = vector_of(*up);
+    text += line("", fmt::format("grid rows follow ({}, {}, {})", rows.x, rows.y, rows.z));
+  }
   return text;
 }
 
@@ -105,8 +107,8 @@ std::string edge_lines(const Json& edges) {
   const std::string method = text_at(edges, "method");
   if (method == "none") return line("edges", "none");
   if (method != "fringe") return "";
-  return line("edges", fmt::format("fringe currents (PTD), order {}, creases of {} deg and more", edges["order"].get<int>(),
-                                   edges["min_wedge_deg"].get<double>()));
+  return line("edges", fmt::format("fringe currents (PTD), order {}, creases of {} deg and more", count_at(edges, "order"),
+                                   number_at(edges, "min_wedge_deg")));
 }
 
 std::string mesh_names(const Json& mesh) {
@@ -120,25 +122,23 @@ std::string case_text(const Json& data) {
   std::string text = line("size", size_text(vector_of(data["mesh"]["size_m"]), highest * 1e9));
   text += line("case", text_at(data, "case_file"));
   text += line("title", text_at(c, "title"));
-  text +=
-      line("mesh", fmt::format("{}, one unit is {} m ({}){}", mesh_names(target["mesh"]), data["metres_per_unit"].get<double>(),
-                               text_at(target, "unit"), data["materials"].empty() ? ", perfect conductor" : ""));
+  text += line("mesh", fmt::format("{}, one unit is {} m ({}){}", mesh_names(target["mesh"]), number_at(data, "metres_per_unit"),
+                                   text_at(target, "unit"), data["materials"].empty() ? ", perfect conductor" : ""));
   text += line("frequency", values_text(c["frequency"]["ghz"]) + " GHz") + range_profile_line(ghz);
   text += line("looks", looks_text(data)) + antenna_lines(data);
   if (const Json* ground = find(c, "ground")) {
     const std::string material = text_at(*ground, "material");
-    text += line("ground", fmt::format("at z = {} m, {}", (*ground)["height_m"].get<double>(),
+    text += line("ground", fmt::format("at z = {} m, {}", number_at(*ground, "height_m"),
                                        material == "pec" ? "perfect conductor: target and mirror image together"
                                                          : material + ": four paths"));
   }
   text += tube_lines(c, highest) + edge_lines(c["edges"]);
   text += line("plots", output["plots"] == true ? "yes" : "no");
   if (const Json* looks = find(output, "image_look"))
-    text +=
-        line("images",
-             fmt::format("look {}: {} cells per wavelength at {} GHz", fmt::join(looks->get<std::vector<std::size_t>>(), ", "),
-                         output["image_per_wavelength"].get<double>(), number_text(data["image_ghz"].get<double>())));
-  return text + line("rows", fmt::format("{}", data["rows"].get<std::size_t>()));
+    text += line("images", fmt::format("look {}: {} cells per wavelength at {} GHz",
+                                       fmt::join(looks->get<std::vector<std::size_t>>(), ", "),
+                                       number_at(output, "image_per_wavelength"), number_text(number_at(data, "image_ghz"))));
+  return text + line("rows", fmt::format("{}", count_at(data, "rows")));
 }
 
 std::string mesh_text(const Json& mesh) {
@@ -147,10 +147,10 @@ std::string mesh_text(const Json& mesh) {
       fmt::format("\nmesh report\n  {} read, {} traced, {}\n", count_text(mesh["facets_read"], "facet"),
                   count_text(mesh["triangles_traced"], "triangle"), count_text(mesh["vertices"], "vertex", "vertices"));
   if (const Json* notes = find(mesh, "notes"))
-    for (const Json& note : *notes) text += fmt::format("  {}: {}\n", text_at(note, "what"), note["count"].get<std::uint64_t>());
+    for (const Json& note : *notes) text += fmt::format("  {}: {}\n", text_at(note, "what"), count_at(note, "count"));
   text += fmt::format("  centre ({:.6g}, {:.6g}, {:.6g}) m, radius {:.6g} m\n", center.x, center.y, center.z,
-                      mesh["radius_m"].get<double>());
-  text += fmt::format("  planar patches: {}\n  components: {}\n", mesh["patches"].get<std::uint64_t>(), mesh["bodies"].size());
+                      number_at(mesh, "radius_m"));
+  text += fmt::format("  planar patches: {}\n  components: {}\n", count_at(mesh, "patches"), mesh["bodies"].size());
   text += first_of(mesh["bodies"], "components", [](std::size_t i, const Json& body) {
     return fmt::format("component {}: {}, {}", i, text_at(body, "state"), count_text(body["triangles"], "triangle"));
   });
@@ -164,13 +164,12 @@ std::string materials_text(const Json& lines) {
 }
 
 std::string wedges_text(const Json& wedges) {
-  return fmt::format("\nwedges\n  {}, {:.6g} m in all\n", count_text(wedges["count"], "wedge"),
-                     wedges["length_m"].get<double>()) +
+  return fmt::format("\nwedges\n  {}, {:.6g} m in all\n", count_text(wedges["count"], "wedge"), number_at(wedges, "length_m")) +
          first_of(wedges["classes"], "angles",
                   [](std::size_t, const Json& each) {
-                    return fmt::format("n = {:.3f} (interior {:.1f} deg): {}, {:.6g} m", each["n"].get<double>(),
-                                       each["interior_deg"].get<double>(), count_text(each["count"], "wedge"),
-                                       each["length_m"].get<double>());
+                    return fmt::format("n = {:.3f} (interior {:.1f} deg): {}, {:.6g} m", number_at(each, "n"),
+                                       number_at(each, "interior_deg"), count_text(each["count"], "wedge"),
+                                       number_at(each, "length_m"));
                   }) +
          lines_of(wedges["notes"]);
 }
@@ -181,11 +180,10 @@ std::string curved_text(const Json& curved) {
   if (curved["list"].empty()) return head + fmt::format("  none: all {} are flat\n", count_text(all, "facet"));
   return head +
          fmt::format("  {} of {} represent curved surfaces and are treated as {}{}\n", facets, count_text(all, "facet"),
-                     text_at(curved, "counts_as"),
-                     curved["facets_curved"].get<std::uint64_t>() < facets ? " (tubes.curved)" : "") +
+                     text_at(curved, "counts_as"), count_at(curved, "facets_curved") < facets ? " (tubes.curved)" : "") +
          first_of(curved["list"], "pieces", [](std::size_t, const Json& piece) {
            return fmt::format("piece of {}: the surface rises above them by up to {:.3g} wavelengths",
-                              count_text(piece["facets"], "facet"), piece["rise_wavelengths"].get<double>());
+                              count_text(piece["facets"], "facet"), number_at(piece, "rise_wavelengths"));
          });
 }
 
@@ -213,11 +211,11 @@ std::string cost_text(const Json& data) {
   }
   const Json& grid = data["launch_grid"];
   if (grid.is_null())
-    return fmt::format("\ncost\n  looks computed: {}\n  adaptive tubes: {}; the fewer, the quicker, at any frequency\n",
-                       looks, count_text(patches, "planar patch", "planar patches"));
+    return fmt::format("\ncost\n  looks computed: {}\n  adaptive tubes: {}; the fewer, the quicker, at any frequency\n", looks,
+                       count_text(patches, "planar patch", "planar patches"));
   return fmt::format("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm{}\n  looks computed: {}\n",
-                     grid["columns"].get<std::size_t>(), grid["rows"].get<std::size_t>(), grid["du_m"].get<double>() * 1e3,
-                     grid["dv_m"].get<double>() * 1e3,
+                     count_at(grid, "columns"), count_at(grid, "rows"), number_at(grid, "du_m") * 1e3,
+                     number_at(grid, "dv_m") * 1e3,
                      text_at(data["case"]["tubes"], "mode") == "adaptive" ? "; adaptive tubes are mostly far fewer" : "", looks);
 }
 
@@ -239,9 +237,9 @@ std::string time_text(const Json& time) {
   if (time["at_most"] == true)
     return fmt::format(
         "\ntime\n  at most about {} on {}, and at least {}: no look was finished in {:.0f} s, each takes at most about {}\n",
-        whole, threads, seconds_text(time["least_s"]), time["given_up_after_s"].get<double>(), look);
+        whole, threads, seconds_text(time["least_s"]), number_at(time, "given_up_after_s"), look);
   return fmt::format("\ntime\n  about {} on {}, about {} a look ({} tried)\n", whole, threads, look,
-                     time["looks_tried"].get<std::size_t>());
+                     count_at(time, "looks_tried"));
 }
 
 std::string ranks_text(const Json& ranks) {

@@ -1,5 +1,8 @@
-// Whether the ranks of a job were given the same work.
+// What a run is made of, by its case and by its run.json, and whether the ranks of a job were given the same work.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "case/data/case.h"
 #include "core/ordered_json.h"
@@ -8,6 +11,12 @@
 #include "ranks/ranks.h"
 
 namespace raytube {
+
+/// The settings that a run had, those of --set among them, as overrides of its case file.
+std::vector<std::string> settings_of_run(const Json& run);
+
+/// SHA-256 of its mesh files; empty if it says none.
+std::vector<std::string> mesh_sha256_of_run(const Json& run);
 
 /// The name of the meshes' item, with their hashes between blanks.
 inline constexpr const char* mesh_item = "mesh in target.mesh";

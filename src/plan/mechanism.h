@@ -15,6 +15,7 @@ struct BandScene;
 class Mechanism;
 struct RowEvidence;
 struct SolvePlan;
+enum class Omission;
 
 /// What a mechanism says of itself before any look is computed.
 struct MechanismState {
@@ -48,6 +49,22 @@ struct MechanismColumn {
   double (*bound)(const AmplitudeLimits&);  // no row may exceed it [m]
 };
 
+/// What a solve has shown of a mechanism and of what is missing, once it is done.
+struct MechanismShown {
+  const std::vector<Count>& counts;  // of what it did and left out
+  std::uint64_t looks_without = 0;   // computed looks that it was too weak for, or its budget too small
+  double left_out = 0.0;             // share of the squares of what is missing that mechanisms left out for their budgets' sake
+  double curved_edges = 0.0;         // share, by length, of the edges with currents missing or weak that are beside curved faces
+};
+
+/// What makes an omission (uncertainty/omissions.h) less that a mechanism is there for: a key of the case and about how much
+/// longer the run will take, or "none ...". The key that switched off what is missing comes first; others are named only where
+/// they make it less by a noticeable share, for at most ten times the time.
+struct MechanismRemedy {
+  Omission omission;
+  std::string (*of)(const SolvePlan&, const MechanismShown&);
+};
+
 /// A mechanism by name, and what it says.
 struct MechanismEntry {
   const char* name;                                      // of its pieces: images, centres, run.json
@@ -63,6 +80,7 @@ struct MechanismEntry {
   double (*budget)(const SolvePlan&) = nullptr;          // work it may take in a look, in units of all other work; null: no limit
   /// Tells the estimate of what is missing in a row what the mechanism has added there; null: nothing that it asks for.
   void (*tell)(const SolvePlan&, const Contribution&, std::size_t frequency, RowEvidence&) = nullptr;
+  std::vector<MechanismRemedy> remedies{};  // of the omissions that it is there for
 };
 
 /// All mechanisms, in the order in which they run and are told of (solve/mechanisms/list.cpp). A new one is a room of its own and
@@ -70,6 +88,6 @@ struct MechanismEntry {
 const std::vector<MechanismEntry>& mechanism_list();
 
 /// What pieces of a look may belong to, by ScatteringPiece::mechanism.
-std::vector<std::string> piece_names();
+std::vector<std::string> piece_names(const std::vector<MechanismEntry>& mechanisms);
 
 }  // namespace raytube

@@ -11,7 +11,6 @@
 #include "mesh/smooth/bodies.h"
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
-#include "plan/metal_plates.h"
 #include "scene/frequency_bands.h"
 #include "utd/gtd/ray_fields.h"
 
@@ -35,88 +34,74 @@ bool bends_facets(const SolvePlan& plan) {
   return !plan.rays() && plan.tubes.refines() && plan.tubes.curved != CurvedSurfaces::never;
 }
 
-// Which facets count as curved, at one wavelength.
-class BandPlanner {
- public:
-  BandPlanner(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known)
-      : plan_(plan), mesh_(plan.target.mesh), known_(known) {
-    convex_only_ = plan.tubes.curved == CurvedSurfaces::convex;
-    if (!bends_facets(plan)) return;
-    if (convex_only_ && !may_be_convex()) {
-      find_bodies_apart();
-      return;
-    }
-    all_ = with_flat_sheets(surfaces());
-  }
+// The curved surfaces of a target, of those of the mesh that are known already, if any.
+std::shared_ptr<const SmoothSurfaces> surfaces_of(SolvePlan& plan, double max_rise = std::numeric_limits<double>::infinity()) {
+  const double max_crease = plan.target.options.min_wedge_angle;
+  std::shared_ptr<const SmoothSurfaces>& known = plan.known_surfaces;
+  const auto made = known ? std::make_shared<const SmoothSurfaces>(*known, max_crease, max_rise)
+                          : std::make_shared<const SmoothSurfaces>(plan.target.mesh, max_crease, max_rise);
+  if (!known) known = made;
+  return made;
+}
 
-  BandPlan at(double wavelength) {
-    BandPlan band{{}, {}, convexity_at(wavelength)};
-    if (all_ && (!convex_only_ || band.convexity.no_reflection)) band.smooth = all_;
-    band.wave_surfaces = band.smooth ? band.smooth : wave_surfaces_at(wavelength);
-    if (!band.smooth) band.smooth = bodies_apart_;
-    return band;
+// Surfaces without those of sheets, which tubes see as facets. Null if no facet is left that is curved.
+std::shared_ptr<const SmoothSurfaces> with_flat_sheets(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces> surfaces) {
+  std::vector<bool> sheets;
+  for (const Material& material : plan.sweep.materials) sheets.push_back(material.transmits());
+  if (std::ranges::find(sheets, true) != sheets.end()) {
+    SmoothSurfaces opaque = *surfaces;
+    opaque.flatten(sheets);
+    surfaces = std::make_shared<const SmoothSurfaces>(std::move(opaque));
   }
+  return surfaces->any() ? surfaces : nullptr;
+}
 
- private:
-  // A mesh of several components is no convex body.
-  bool may_be_convex() const {
-    const std::vector<Component>& components = mesh_.components;
-    return plan_.target.convexity.no_reflection || (plan_.tubes.skip && components.size() == 1 && components[0].closed);
-  }
-
-  // By default convex bodies bend their facets, alone or as bodies of a set that stand apart.
-  void find_bodies_apart() {
-    if (mesh_.components.size() == 1) return;
-    auto surfaces = bodies_apart(mesh_, plan_.target.options.min_wedge_angle);
-    if (!surfaces) return;
-    known_ = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
-    bodies_apart_ = with_flat_sheets(known_);
-  }
-
-  // Null if no facet is left that is curved.
-  std::shared_ptr<const SmoothSurfaces> with_flat_sheets(std::shared_ptr<const SmoothSurfaces> surfaces) const {
-    std::vector<bool> sheets;
-    for (const Material& material : plan_.sweep.materials) sheets.push_back(material.transmits());
-    if (std::ranges::find(sheets, true) != sheets.end()) {
-      SmoothSurfaces opaque = *surfaces;
-      opaque.flatten(sheets);
-      surfaces = std::make_shared<const SmoothSurfaces>(std::move(opaque));
-    }
-    return surfaces->any() ? surfaces : nullptr;
-  }
-
-  std::shared_ptr<const SmoothSurfaces> surfaces(double max_rise = std::numeric_limits<double>::infinity()) {
-    const double max_crease = plan_.target.options.min_wedge_angle;
-    const auto made = known_ ? std::make_shared<const SmoothSurfaces>(*known_, max_crease, max_rise)
-                             : std::make_shared<const SmoothSurfaces>(mesh_, max_crease, max_rise);
-    if (!known_) known_ = made;
-    return made;
-  }
-
-  // A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none
-  // of those: beside them only dents that are small in wavelengths are passed over.
-  Convexity convexity_at(double wavelength) const {
-    Convexity convexity = plan_.target.convexity;
-    if (!all_ || convexity.no_reflection || !plan_.tubes.skip || all_->facets() <= mesh_.triangles.size() / 2) return convexity;
-    const double small = most_rise * wavelength;
-    const bool tessellation = std::ranges::all_of(plan_.target.wedges, &Wedge::convex);
-    convexity.no_reflection = convex_up_to(mesh_, tessellation ? std::max(small, most_dent * all_->rise()) : small);
-    return convexity;
-  }
-
-  // Waves run over the curved surfaces of any body, even of one whose tubes meet its facets, unless the facets are what is meant.
-  std::shared_ptr<const SmoothSurfaces> wave_surfaces_at(double wavelength) {
-    if (!plan_.surfaces.waves.possible() || !plan_.fringe() || !bends_facets(plan_)) return {};
-    auto bent = surfaces(most_rise * wavelength);
-    return bent->any() ? bent : nullptr;
-  }
-
-  const SolvePlan& plan_;
-  const TriangleMesh& mesh_;
-  std::shared_ptr<const SmoothSurfaces>& known_;
-  bool convex_only_;
-  std::shared_ptr<const SmoothSurfaces> all_, bodies_apart_;  // null: tubes see none
+// The surfaces that tubes may see, whatever the wavelength. Null: there are none.
+struct CurvedBodies {
+  std::shared_ptr<const SmoothSurfaces> all;    // of a target that bends all of its facets where it is convex, or always
+  std::shared_ptr<const SmoothSurfaces> apart;  // of bodies of a set that stand apart, which bend theirs in any case
 };
+
+// By default convex bodies bend their facets, alone or as bodies of a set that stand apart. A mesh of several components is no
+// convex body.
+CurvedBodies curved_bodies(SolvePlan& plan) {
+  if (!bends_facets(plan)) return {};
+  const std::vector<Component>& components = plan.target.mesh.components;
+  const bool may_be_convex =
+      plan.target.convexity.no_reflection || (plan.tubes.skip && components.size() == 1 && components[0].closed);
+  if (may_be_convex || plan.tubes.curved == CurvedSurfaces::always) return {with_flat_sheets(plan, surfaces_of(plan)), {}};
+  auto surfaces = components.size() == 1 ? std::nullopt : bodies_apart(plan.target.mesh, plan.target.options.min_wedge_angle);
+  if (!surfaces) return {};
+  plan.known_surfaces = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
+  return {{}, with_flat_sheets(plan, plan.known_surfaces)};
+}
+
+// A body all of whose hollows are those between the facets of its surfaces reflects nothing onto itself. Hollow edges are none
+// of those: beside them only dents that are small in wavelengths are passed over.
+Convexity convexity_at(double wavelength, const SolvePlan& plan, const SmoothSurfaces* all) {
+  const TriangleMesh& mesh = plan.target.mesh;
+  Convexity convexity = plan.target.convexity;
+  if (!all || convexity.no_reflection || !plan.tubes.skip || all->facets() <= mesh.triangles.size() / 2) return convexity;
+  const double small = most_rise * wavelength;
+  const bool tessellation = std::ranges::all_of(plan.target.wedges, &Wedge::convex);
+  convexity.no_reflection = convex_up_to(mesh, tessellation ? std::max(small, most_dent * all->rise()) : small);
+  return convexity;
+}
+
+// Which facets count as curved, at one wavelength. Waves run over the curved surfaces of any body, even of one whose tubes meet
+// its facets, unless the facets are what is meant.
+BandPlan band_at(double wavelength, SolvePlan& plan, const CurvedBodies& bodies) {
+  BandPlan band{{}, {}, convexity_at(wavelength, plan, bodies.all.get())};
+  if (plan.tubes.curved == CurvedSurfaces::always || band.convexity.no_reflection) band.smooth = bodies.all;
+  if (band.smooth) {
+    band.wave_surfaces = band.smooth;
+  } else if (plan.surfaces.waves.possible() && plan.fringe() && bends_facets(plan)) {
+    band.wave_surfaces = surfaces_of(plan, most_rise * wavelength);
+    if (!band.wave_surfaces->any()) band.wave_surfaces = nullptr;
+  }
+  if (!band.smooth) band.smooth = bodies.apart;
+  return band;
+}
 
 // What grows with the wavelength is the same where it is as large.
 bool same_body(const BandPlan& a, const BandPlan& b) {
@@ -126,7 +111,8 @@ bool same_body(const BandPlan& a, const BandPlan& b) {
 }
 
 // Frequencies in ascending order, each with its index: as many bands as bodies.
-void divide(BandPlanner& planner, std::span<const std::pair<double, std::size_t>> frequencies, const BandPlan& lowest,
+template <class BodyAt>
+void divide(const BodyAt& body_at, std::span<const std::pair<double, std::size_t>> frequencies, const BandPlan& lowest,
             const BandPlan& highest, std::vector<BandPlan>& bands) {
   if (same_body(lowest, highest)) {
     if (bands.empty() || !same_body(bands.back(), lowest)) bands.push_back(lowest);
@@ -134,9 +120,9 @@ void divide(BandPlanner& planner, std::span<const std::pair<double, std::size_t>
     return;
   }
   const std::size_t half = frequencies.size() / 2;
-  const auto at = [&](std::size_t i) { return planner.at(wavelength(frequencies[i].first)); };
-  divide(planner, frequencies.first(half), lowest, half == 1 ? lowest : at(half - 1), bands);
-  divide(planner, frequencies.subspan(half), half + 1 == frequencies.size() ? highest : at(half), highest, bands);
+  const auto at = [&](std::size_t i) { return body_at(frequencies[i].first); };
+  divide(body_at, frequencies.first(half), lowest, half == 1 ? lowest : at(half - 1), bands);
+  divide(body_at, frequencies.subspan(half), half + 1 == frequencies.size() ? highest : at(half), highest, bands);
 }
 
 // How finely a row is sampled depends on its band alone, not on the other frequencies. Grids of fixed density are as fine as the
@@ -155,15 +141,16 @@ std::vector<BandPlan> in_sampled_bands(const std::vector<BandPlan>& bodies, std:
   return bands;
 }
 
-std::vector<BandPlan> bands_of(const SolvePlan& plan, std::shared_ptr<const SmoothSurfaces>& known) {
+std::vector<BandPlan> bands_of(SolvePlan& plan) {
   std::vector<std::pair<double, std::size_t>> ascending;
   for (const double frequency : plan.sweep.frequencies) ascending.emplace_back(frequency, ascending.size());
   std::ranges::sort(ascending);
-  BandPlanner planner(plan, known);
-  const BandPlan lowest = planner.at(wavelength(ascending.front().first));
+  const CurvedBodies bodies = curved_bodies(plan);
+  const auto body_at = [&](double frequency) { return band_at(wavelength(frequency), plan, bodies); };
+  const BandPlan lowest = body_at(ascending.front().first);
   const bool one = ascending.front().first == ascending.back().first;
   std::vector<BandPlan> bands;
-  divide(planner, ascending, lowest, one ? lowest : planner.at(wavelength(ascending.back().first)), bands);
+  divide(body_at, ascending, lowest, one ? lowest : body_at(ascending.back().first), bands);
   if (plan.tubes.refines()) bands = in_sampled_bands(bands, plan.sweep.frequencies);
   for (BandPlan& band : bands) {
     std::ranges::sort(band.indices);
@@ -206,11 +193,11 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   const auto count = [&](auto left_out) { return static_cast<std::uint64_t>(std::ranges::count_if(wedges, left_out)); };
   std::vector<Skipped> skipped{
       {"wedges", "concave: multiple reflection stands for them", count([](const Wedge& w) { return !w.convex(); })}};
-  const auto [other, of_solids, known] = count_material_edges(wedges, plan.sweep.materials, plan.sweep.frequencies);
-  const bool none = plan.edges.materials == MaterialEdgeMethod::none, computed = plan.fringe() && !none;
-  skipped.push_back({"wedges", "edges of solids add nothing", of_solids});
+  const MaterialEdgeCount others = count_material_edges(plan.target, plan.sweep, plan.edges);
+  const bool none = plan.edges.materials == MaterialEdgeMethod::none;
+  skipped.push_back({"wedges", "edges of solids add nothing", others.of_solids});
   skipped.push_back({"wedges", none ? "a face is not a perfect conductor (edges.materials)" : "a face is not a perfect conductor",
-                     other - of_solids - (computed ? known : 0)});
+                     others.all - others.of_solids - others.computed});
   if (plan.rays()) return skipped;
   const std::vector<double>& frequencies = plan.sweep.frequencies;
   const auto lowest = static_cast<std::size_t>(std::ranges::min_element(frequencies) - frequencies.begin());
@@ -262,7 +249,7 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
   check_all(*this);
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
-  bands = bands_of(*this, known_surfaces);
+  bands = bands_of(*this);
   thin_plate_edges = thin_plate_edges_of(*this);
   wedge_sets = raytube::wedge_sets(wedge_source(*this), sweep.frequencies);
   looks = looks_of(*this);

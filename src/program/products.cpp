@@ -18,7 +18,7 @@
 #include "core/threads.h"
 #include "jobs/imaged_target.h"
 #include "jobs/inputs.h"
-#include "jobs/recorded_run.h"
+#include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "output/compare/density_results.h"
 #include "output/files/sha256.h"
@@ -119,7 +119,7 @@ void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& optio
   CLI::Option* direct = command.add_flag(
       "--direct", options.direct,
       "For a case: from the place of every current, in the middle look at the middle frequency, without the sweep");
-  const std::vector<std::string> names = piece_names();
+  const std::vector<std::string> names = piece_names(mechanism_list());
   const std::string all = fmt::format("{}", fmt::join(names, ", "));
   add_value(command, "--mechanisms NAME,...", options.mechanisms, "With --direct, these alone: " + all,
             [names, all](const std::string& name) {
@@ -168,7 +168,7 @@ void direct_pieces(const SweepOptions& asked, const ProductSource& source, std::
   SolveOptions options{c.tubes, c.edges, c.surfaces, run.work.threads};
   options.progress = progress_of_pieces(run.work.quiet, look, frequency);
   const std::vector<std::string>& wanted = asked.mechanisms;
-  const std::vector<std::string> names = piece_names();
+  const std::vector<std::string> names = piece_names(mechanism_list());
   bool any = false;
   const PieceSink keep_wanted = [&](const ScatteringPiece& piece) {
     if (!wanted.empty() && std::ranges::find(wanted, names[piece.mechanism]) == wanted.end()) return;

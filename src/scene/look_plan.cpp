@@ -63,47 +63,6 @@ Direction image(Direction d, unsigned planes) {
 
 Look image(const Look& look, unsigned planes) { return {image(look.transmit, planes), image(look.receive, planes)}; }
 
-class Planner {
- public:
-  Planner(std::span<const Look> looks, unsigned planes) : looks_(looks), planes_(planes) {}
-
-  LookPlan run() {
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-      const Key key = key_of(looks_[i]);
-      if (!follows(looks_[i], key)) add(i, key);
-    }
-    return std::move(plan_);
-  }
-
- private:
-  // No reflection comes first.
-  bool follows(const Look& look, const Key& key) {
-    for (unsigned planes = 0; planes < 8; ++planes) {
-      if (planes & ~planes_) continue;
-      const auto found = known_.find(image(key, planes));
-      if (found == known_.end()) continue;
-      const Look wanted = image(look, planes);
-      const Look& known = looks_[plan_.computed[found->second]];
-      if (!same_to_rounding(wanted.transmit, known.transmit) || !same_to_rounding(wanted.receive, known.receive)) continue;
-      plan_.sources.push_back({found->second, std::popcount(planes) % 2 == 1});
-      ++(planes ? plan_.mirrored : plan_.repeated);
-      return true;
-    }
-    return false;
-  }
-
-  void add(std::size_t look, const Key& key) {
-    known_.emplace(key, plan_.computed.size());
-    plan_.sources.push_back({plan_.computed.size()});
-    plan_.computed.push_back(look);
-  }
-
-  std::span<const Look> looks_;
-  unsigned planes_;
-  std::unordered_map<Key, std::size_t, KeyHash> known_;  // indices in the plan
-  LookPlan plan_;
-};
-
 }  // namespace
 
 LookPlan plan_all(std::size_t looks) {
@@ -115,8 +74,29 @@ LookPlan plan_all(std::size_t looks) {
 }
 
 LookPlan plan_looks(std::span<const Look> looks, const std::array<bool, 3>& symmetry_planes) {
-  const unsigned planes = (symmetry_planes[0] ? 1u : 0u) | (symmetry_planes[1] ? 2u : 0u) | (symmetry_planes[2] ? 4u : 0u);
-  return Planner(looks, planes).run();
+  const unsigned mirrors = (symmetry_planes[0] ? 1u : 0u) | (symmetry_planes[1] ? 2u : 0u) | (symmetry_planes[2] ? 4u : 0u);
+  std::unordered_map<Key, std::size_t, KeyHash> known;  // indices in the plan
+  LookPlan plan;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const Key key = key_of(looks[i]);
+    bool follows = false;
+    for (unsigned planes = 0; planes < 8 && !follows; ++planes) {  // no reflection comes first
+      if (planes & ~mirrors) continue;
+      const auto found = known.find(image(key, planes));
+      if (found == known.end()) continue;
+      const Look wanted = image(looks[i], planes);
+      const Look& source = looks[plan.computed[found->second]];
+      if (!same_to_rounding(wanted.transmit, source.transmit) || !same_to_rounding(wanted.receive, source.receive)) continue;
+      plan.sources.push_back({found->second, std::popcount(planes) % 2 == 1});
+      ++(planes ? plan.mirrored : plan.repeated);
+      follows = true;
+    }
+    if (follows) continue;
+    known.emplace(key, plan.computed.size());
+    plan.sources.push_back({plan.computed.size()});
+    plan.computed.push_back(i);
+  }
+  return plan;
 }
 
 ScatteringMatrix from_source(ScatteringMatrix s, const LookSource& source) {

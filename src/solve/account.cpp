@@ -15,14 +15,13 @@ Account::Account(const SolvePlan& plan)
       tube_counts_{{"tubes", "empty cells of the grid"},
                    {"faces in a look", "turned away from the transmitter"},
                    {"tubes of a look", "the target has no projected area"}},
-      counts_(plan.mechanisms.size()),
-      used_(plan.mechanisms.size()),
-      beyond_(plan.mechanisms.size()),
-      without_(plan.mechanisms.size()),
-      most_reach_(plan.mechanisms.size()),
       sliver_areas_(plan.looks.computed.size()) {
-  for (std::size_t i = 0; i < counts_.size(); ++i)
-    for (const char* name : plan.mechanisms[i].counts) counts_[i].push_back({name});
+  for (std::size_t i = 0; i < plan.mechanisms.size(); ++i) {
+    const MechanismEntry& entry = plan.mechanisms[i];
+    const MechanismState& state = plan.states[i];
+    mechanisms_.push_back({.use = {entry.name, entry.label, entry.key, state.on, state.why_not}});
+    for (const char* name : entry.counts) mechanisms_.back().counts.push_back({name});
+  }
 }
 
 void Account::add(std::size_t index, const LookResult& look, std::size_t following) {
@@ -30,17 +29,18 @@ void Account::add(std::size_t index, const LookResult& look, std::size_t followi
   if (look.tubes.tubes == 0 && !plan_.rays()) tube_counts_[2].count += following;
   for (std::size_t i = 0; i < look.mechanisms.size(); ++i) {
     const Contribution& part = look.mechanisms[i];
+    MechanismSums& sums = mechanisms_[i];
     for (const Count& count : part.counts)
-      if (!part.out_of_reach() || count.fold != Fold::least) put({count.what, count.why, count.count * following}, counts_[i]);
+      if (!part.out_of_reach() || count.fold != Fold::least) put({count.what, count.why, count.count * following}, sums.counts);
     if (!plan_.states[i].on) continue;
-    ++(part.ran.empty() || part.out_of_reach() ? used_[i].looks_without : used_[i].looks);
-    used_[i].most_db = std::max(used_[i].most_db, part.most_db);
-    if (!part.out_of_reach()) {
-      if (part.ran.empty()) without_[i] += following;
-      continue;
+    ++(part.ran.empty() || part.out_of_reach() ? sums.use.looks_without : sums.use.looks);
+    sums.use.most_db = std::max(sums.use.most_db, part.most_db);
+    if (part.out_of_reach()) {
+      sums.beyond += following;
+      sums.most_reach = std::max(sums.most_reach, part.reach > 0.0 ? part.reach : least_reach);
+    } else if (part.ran.empty()) {
+      sums.without += following;
     }
-    beyond_[i] += following;
-    most_reach_[i] = std::max(most_reach_[i], part.reach > 0.0 ? part.reach : least_reach);
   }
 }
 
@@ -60,8 +60,7 @@ void Account::add_tubes(std::size_t index, const TubeSums& tubes) {
 
 Statistics Account::finish() {
   tell_tubes();
-  for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i) tell_mechanism(i);
-  all_.mechanisms = used_;
+  for (std::size_t i = 0; i < mechanisms_.size(); ++i) tell_mechanism(plan_.mechanisms[i], plan_.states[i], mechanisms_[i]);
   tell_lost_rays();
   all_.wedges = plan_.target.wedges.size();
   all_.paths = plan_.rays();
@@ -92,12 +91,9 @@ void Account::tell_counts(const std::vector<Count>& counts) {
   }
 }
 
-// Whether it took part, and what is without it.
-void Account::tell_mechanism(std::size_t i) {
-  const MechanismEntry& mechanism = plan_.mechanisms[i];
-  const MechanismState& state = plan_.states[i];
-  MechanismUse& use = used_[i];
-  use.name = mechanism.name, use.label = mechanism.label, use.key = mechanism.key, use.on = state.on, use.why_not = state.why_not;
+// Whether a mechanism took part, and what is without it.
+void Account::tell_mechanism(const MechanismEntry& mechanism, const MechanismState& state, const MechanismSums& sums) {
+  all_.mechanisms.push_back(sums.use);
   const std::string looks = std::string("looks without ") + mechanism.label;
   const auto leave_out = [&](const std::string& why, std::uint64_t count) {
     if (count > 0) all_.skipped.push_back({looks, why, count});
@@ -106,19 +102,19 @@ void Account::tell_mechanism(std::size_t i) {
   std::ranges::copy(state.skipped, std::back_inserter(all_.skipped));
   if (mechanism.budget_key) {  // with the share, if it was known in all of these looks before the mechanism began
     const std::string share =
-        most_reach_[i] < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * most_reach_[i]) : "";
-    leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), beyond_[i]);
+        sums.most_reach < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * sums.most_reach) : "";
+    leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), sums.beyond);
   }
-  if (use.most_db == 0.0) {
-    leave_out("there is nothing for it to work on", without_[i]);
+  if (sums.use.most_db == 0.0) {
+    leave_out("there is nothing for it to work on", sums.without);
   } else if (!state.forced) {
     leave_out(
         fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about {:.2g} dB at most, "
                     "accuracy.tolerance_db is {:g}",
-                    use.most_db, plan_.tubes.tolerance_db),
-        without_[i]);
+                    sums.use.most_db, plan_.tubes.tolerance_db),
+        sums.without);
   }
-  tell_counts(counts_[i]);
+  tell_counts(sums.counts);
 }
 
 void Account::tell_lost_rays() {

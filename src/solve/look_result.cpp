@@ -98,11 +98,11 @@ std::string look_bytes(const LookResult& look) {
   return writer.take();
 }
 
-std::optional<LookResult> look_of_bytes(std::string_view bytes, std::size_t frequencies) {
+std::optional<LookResult> look_of_bytes(std::string_view bytes, std::size_t frequencies, std::size_t mechanisms) {
   LookResult look;
   ByteReader reader(bytes);
   visit(reader, look);
-  if (!reader.fits() || !has_frequencies(look, frequencies)) return {};
+  if (!reader.fits() || look.mechanisms.size() != mechanisms || !has_frequencies(look, frequencies)) return {};
   return look;
 }
 

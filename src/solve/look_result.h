@@ -28,7 +28,7 @@ void put_band(const BandPlan& band, LookResult part, std::size_t frequencies, Lo
 /// Exactly what the rows and the counts of a sweep need, every double with all its bits. Of the same program only.
 std::string look_bytes(const LookResult& look);
 
-/// The look again, or none if the bytes are not those of one at so many frequencies.
-std::optional<LookResult> look_of_bytes(std::string_view bytes, std::size_t frequencies);
+/// The look again, or none if the bytes are not those of one at so many frequencies, with so many mechanisms.
+std::optional<LookResult> look_of_bytes(std::string_view bytes, std::size_t frequencies, std::size_t mechanisms);
 
 }  // namespace raytube

@@ -7,7 +7,11 @@
 
 #include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
+#include "sbr/sbr.h"
+#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/mechanism.h"
 #include "solve/scheduler.h"
+#include "utd/gtd/ray_fields.h"
 
 namespace raytube {
 
@@ -24,137 +28,150 @@ void make_look_reciprocal(LookResult& look) {
 
 }  // namespace
 
-BandSolver::BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
-    : scene_(plan, plan.bands[band]), band_(band), model_(model) {
-  for (const MechanismEntry& entry : plan.mechanisms) mechanisms_.push_back(entry.make(scene_));
-  if (plan.rays())
-    ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,
-                        plan.max_bounces());
-}
-
-LookResult BandSolver::solve(const Look& look, Progress& progress, double share) const {
-  const SolvePlan& plan = scene_.plan;
-  if (plan.rays()) return rays(look, progress, share);
-  LookResult result;
-  result.tubes = trace_tubes(look, progress, first_tubes_share * share, nullptr);
-  LookSink sink;
-  result.mechanisms = run_mechanisms({look, result.tubes}, sink, progress, share);
-  result.met = {result.tubes.met};
-  result.truncated = {result.tubes.truncated.sigma()};
-  if (!plan.sweep.bistatic) make_look_reciprocal(result);
-  return result;
-}
-
-void BandSolver::solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
-                             LookImage& image) const {
-  const std::vector<double>& frequencies = scene_.band.frequencies;
-  const FaceTree& faces = scene_.plan.target.faces;
-  image.cells.resize(lattice.cells()), image.triangles.resize(faces.mesh().triangles.size());
-  const CurrentSink take = [&](const CurrentPiece& of) {
-    image.cells[lattice.index(lattice.at(of.at))] += of.s;
-    image.triangles[of.triangle] += of.s;
-  };
-  CurrentMap map(faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]), take);
-  const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
-  image.edges = edge_pieces(look, tubes, {frequency_index, lattice}).pieces;
-}
-
-void BandSolver::solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
-                              const PieceSink& sink, const std::optional<double>& mirror) const {
-  const CurrentSink take = [&](const CurrentPiece& of) {
-    sink({of.place, of.s, std::min<std::size_t>(of.bounce, tube_pieces.size() - 1), of.triangle});
-  };
-  CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, true, mirror);
-  const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
-  const ImageRequest request = edge_pieces(look, tubes, {0, edges, !mirror});
-  for (std::size_t i = 0; i < request.pieces.size(); ++i) {
-    const ImageEdge& edge = request.pieces[i];
-    dvec3 place = 0.5 * (edge.begin + edge.end);
-    if (mirror) place.z = *mirror;
-    sink({place, edge.s, tube_pieces.size() + request.mechanisms[i], {}});
+// Computes looks at the frequencies of one band. Refers to the plan and its model uncertainty.
+class BandSolver {
+ public:
+  BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
+      : scene_(plan, plan.bands[band]), band_(band), model_(model) {
+    for (const MechanismEntry& entry : plan.mechanisms) mechanisms_.push_back(entry.make(scene_));
+    if (plan.rays())
+      ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,
+                          plan.max_bounces());
   }
-}
 
-ImageRequest BandSolver::edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const {
-  LookSink sink;
-  sink.image = &request;
-  Progress silent({});
-  run_mechanisms({look, tubes}, sink, silent, 0.0);
-  return request;
-}
+  LookResult solve(const Look& look, Progress& progress, double share) const {
+    const SolvePlan& plan = scene_.plan;
+    if (plan.rays()) return rays(look, progress, share);
+    LookResult result;
+    result.tubes = trace_tubes(look, progress, first_tubes_share * share, nullptr);
+    LookSink sink;
+    result.mechanisms = run_mechanisms({look, result.tubes}, sink, progress, share);
+    result.met = {result.tubes.met};
+    result.truncated = {result.tubes.truncated.sigma()};
+    if (!plan.sweep.bistatic) make_look_reciprocal(result);
+    return result;
+  }
 
-std::vector<ChannelErrors> BandSolver::permitted_errors(const Look& look, const TubeSums& tubes) const {
-  std::vector<ChannelErrors> errors = model_.at_least(look, band_, tubes);
-  for (ChannelErrors& row : errors) row = scaled(row, scene_.plan.tubes.model_share);
-  return errors;
-}
+  void solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
+                   LookImage& image) const {
+    const std::vector<double>& frequencies = scene_.band.frequencies;
+    const FaceTree& faces = scene_.plan.target.faces;
+    image.cells.resize(lattice.cells()), image.triangles.resize(faces.mesh().triangles.size());
+    const CurrentSink take = [&](const CurrentPiece& of) {
+      image.cells[lattice.index(lattice.at(of.at))] += of.s;
+      image.triangles[of.triangle] += of.s;
+    };
+    CurrentMap map(faces, lattice, frequency_index, wavenumber(frequencies[frequency_index]), take);
+    const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
+    image.edges = edge_pieces(look, tubes, {frequency_index, lattice}).pieces;
+  }
 
-TubeSums BandSolver::trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
-  TubeWork work{progress, share, map};
-  if (scene_.plan.tubes.model_share > 0.0) work.permits = [&](const TubeSums& tubes) { return permitted_errors(look, tubes); };
-  return sbr_scattering(scene_.tubes, look, scene_.band.frequencies, scene_.plan.tubes, work);
-}
+  void solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
+                    const PieceSink& sink, const std::optional<double>& mirror) const {
+    const CurrentSink take = [&](const CurrentPiece& of) {
+      sink({of.place, of.s, std::min<std::size_t>(of.bounce, tube_pieces.size() - 1), of.triangle});
+    };
+    CurrentMap map(scene_.plan.target.faces, currents, 0, wavenumber(scene_.band.frequencies.front()), take, true, mirror);
+    const TubeSums tubes = trace_tubes(look, progress, 1.0, &map);
+    const ImageRequest request = edge_pieces(look, tubes, {0, edges, !mirror});
+    for (std::size_t i = 0; i < request.pieces.size(); ++i) {
+      const ImageEdge& edge = request.pieces[i];
+      dvec3 place = 0.5 * (edge.begin + edge.end);
+      if (mirror) place.z = *mirror;
+      sink({place, edge.s, tube_pieces.size() + request.mechanisms[i], {}});
+    }
+  }
 
-std::vector<Contribution> BandSolver::run_mechanisms(const TracedLook& look, LookSink& sink, Progress& progress,
-                                                     double share) const {
-  const double step = (1.0 - first_tubes_share) * share / static_cast<double>(mechanisms_.size() + 1);
-  std::vector<Contribution> all;
-  progress.add(step);
-  for (std::size_t i = 0; i < mechanisms_.size(); ++i) {
-    all.push_back(run(i, look, sink));
+  std::vector<SurfaceRay> surface_rays(const Look& look) const {
+    std::vector<SurfaceArrival> arrivals;
+    std::vector<SurfaceRay> rays;
+    for (const std::unique_ptr<Mechanism>& mechanism : mechanisms_)
+      if (mechanism) mechanism->trace(look, arrivals, rays);
+    return rays;
+  }
+
+  std::vector<double> edge_lengths() const { return scene_.edges.radiating_lengths(); }
+
+ private:
+  std::vector<ChannelErrors> permitted_errors(const Look& look, const TubeSums& tubes) const {
+    std::vector<ChannelErrors> errors = model_.at_least(look, band_, tubes);
+    for (ChannelErrors& row : errors) row = scaled(row, scene_.plan.tubes.model_share);
+    return errors;
+  }
+
+  TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const {
+    TubeWork work{progress, share, map};
+    if (scene_.plan.tubes.model_share > 0.0) work.permits = [&](const TubeSums& tubes) { return permitted_errors(look, tubes); };
+    return sbr_scattering(scene_.tubes, look, scene_.band.frequencies, scene_.plan.tubes, work);
+  }
+
+  ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const {
+    LookSink sink;
+    sink.image = &request;
+    Progress silent({});
+    run_mechanisms({look, tubes}, sink, silent, 0.0);
+    return request;
+  }
+
+  std::vector<Contribution> run_mechanisms(const TracedLook& look, LookSink& sink, Progress& progress, double share) const {
+    const double step = (1.0 - first_tubes_share) * share / static_cast<double>(mechanisms_.size() + 1);
+    std::vector<Contribution> all;
     progress.add(step);
+    for (std::size_t i = 0; i < mechanisms_.size(); ++i) {
+      all.push_back(run(i, look, sink));
+      progress.add(step);
+    }
+    return all;
   }
-  return all;
-}
 
-Contribution BandSolver::run(std::size_t i, const TracedLook& look, LookSink& sink) const {
-  if (!mechanisms_[i]) return {};
-  const Prospect prospect = mechanisms_[i]->prospect(look);
-  const Decision decision = decide(prospect, look.tubes, scene_.band.frequencies.size(), scene_.plan.tubes.tolerance_db);
-  Contribution result;
-  if (decision.any()) {
-    result = mechanisms_[i]->solve(look, decision.wanted, sink);
-    assert(result.s.size() <= scene_.plan.mechanisms[i].columns.size());
-    if (result.ran.empty()) result.ran = decision.wanted;
-    if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), i);
+  Contribution run(std::size_t i, const TracedLook& look, LookSink& sink) const {
+    if (!mechanisms_[i]) return {};
+    const Prospect prospect = mechanisms_[i]->prospect(look);
+    const Decision decision = decide(prospect, look.tubes, scene_.band.frequencies.size(), scene_.plan.tubes.tolerance_db);
+    Contribution result;
+    if (decision.any()) {
+      result = mechanisms_[i]->solve(look, decision.wanted, sink);
+      assert(result.s.size() <= scene_.plan.mechanisms[i].columns.size());
+      if (result.ran.empty()) result.ran = decision.wanted;
+      if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), i);
+    }
+    result.most_db = decision.most_db;
+    if (prospect.reach < least_reach) result.reach = prospect.reach;
+    return result;
   }
-  result.most_db = decision.most_db;
-  if (prospect.reach < least_reach) result.reach = prospect.reach;
-  return result;
-}
 
-std::vector<SurfaceRay> BandSolver::surface_rays(const Look& look) const {
-  std::vector<SurfaceArrival> arrivals;
-  std::vector<SurfaceRay> rays;
-  for (const std::unique_ptr<Mechanism>& mechanism : mechanisms_)
-    if (mechanism) mechanism->trace(look, arrivals, rays);
-  return rays;
-}
+  // Rays in the place of currents; a path counts as a tube.
+  LookResult rays(const Look& look, Progress& progress, double share) const {
+    RayLookResult found = ray_fields_->look(look, scene_.band.frequencies);
+    LookResult result;
+    result.tubes.bounces = std::move(found.bounces);
+    result.tubes.error.resize(scene_.band.frequencies.size());
+    result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
+    result.tubes.hits = std::move(found.paths);
+    result.tubes.rays = found.rays;
+    result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
+    result.mechanisms.resize(scene_.plan.mechanisms.size());
+    Contribution& edges =
+        result.mechanisms[scene_.plan.index_of("edges")];  // diffracted rays stand in the place of edge currents
+    edges.s = {std::move(found.edges)};
+    edges.counts = {{.what = "wedges_lit", .count = found.edge_rays, .fold = Fold::most}};
+    result.met.resize(1), result.truncated.resize(1);
+    progress.add(share);
+    return result;
+  }
 
-std::vector<double> BandSolver::edge_lengths() const { return scene_.edges.radiating_lengths(); }
-
-// Rays in the place of currents; a path counts as a tube.
-LookResult BandSolver::rays(const Look& look, Progress& progress, double share) const {
-  RayLookResult found = ray_fields_->look(look, scene_.band.frequencies);
-  LookResult result;
-  result.tubes.bounces = std::move(found.bounces);
-  result.tubes.error.resize(scene_.band.frequencies.size());
-  result.tubes.tubes = std::accumulate(found.paths.begin(), found.paths.end(), found.edge_rays);
-  result.tubes.hits = std::move(found.paths);
-  result.tubes.rays = found.rays;
-  result.tubes.truncated[Truncation::number].tubes = found.cut ? 1 : 0;
-  result.mechanisms.resize(scene_.plan.mechanisms.size());
-  Contribution& edges = result.mechanisms[scene_.plan.index_of("edges")];  // diffracted rays stand in the place of edge currents
-  edges.s = {std::move(found.edges)};
-  edges.counts = {{.what = "wedges_lit", .count = found.edge_rays, .fold = Fold::most}};
-  result.met.resize(1), result.truncated.resize(1);
-  progress.add(share);
-  return result;
-}
+  BandScene scene_;
+  std::size_t band_;
+  const ModelUncertainty& model_;
+  std::vector<std::unique_ptr<Mechanism>> mechanisms_;  // in the order of the plan; null: not there
+  std::optional<RayFields> ray_fields_;
+};
 
 LookSolver::LookSolver(const SolvePlan& plan) : plan_(plan), model_(plan) {
   for (std::size_t b = 0; b < plan.bands.size(); ++b) bands_.push_back(std::make_unique<const BandSolver>(plan, b, model_));
 }
+
+LookSolver::~LookSolver() = default;
 
 LookResult LookSolver::solve(std::size_t index, Progress& progress, double share) const {
   const Look& look = plan_.sweep.looks[index];

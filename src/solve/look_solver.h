@@ -1,18 +1,17 @@
 // The tubes of a look, then one mechanism after the other.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/progress.h"
 #include "plan/plan.h"
-#include "sbr/sbr.h"
+#include "scene/image.h"
 #include "scene/scattering_piece.h"
+#include "scene/surface_rays.h"
 #include "solve/look_result.h"
-#include "solve/mechanisms/band_scene.h"
-#include "solve/mechanisms/mechanism.h"
 #include "solve/model_uncertainty.h"
-#include "utd/gtd/ray_fields.h"
 
 namespace raytube {
 
@@ -27,44 +26,14 @@ inline double share_left(const SolvePlan& plan, std::size_t mechanism) {
   return (1.0 - first_tubes_share) * left / steps;
 }
 
-/// Computes looks at the frequencies of one band. Refers to the plan and its model uncertainty.
-class BandSolver {
- public:
-  /// `band`: in the plan.
-  BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model);
-  BandSolver(const BandSolver&) = delete;
-
-  LookResult solve(const Look& look, Progress& progress, double share) const;
-  /// Fills the cells, triangles and pieces of an image with what adds to S at one of the band's frequencies.
-  void solve_image(const Look& look, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
-                   LookImage& image) const;
-  /// Everything that adds to S at the band's only frequency: currents in pieces within a cell of one lattice, all others in
-  /// pieces within a cell of the other one. Recentred coordinates; `mirror`: of the plane across z in which the receiver is seen
-  /// mirrored, if it is the mirror image of the transmitter: then currents alone have the places of their paths.
-  void solve_pieces(const Look& look, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
-                    const PieceSink& sink, const std::optional<double>& mirror) const;
-  std::vector<SurfaceRay> surface_rays(const Look& look) const;
-  std::vector<double> edge_lengths() const;
-
- private:
-  std::vector<ChannelErrors> permitted_errors(const Look& look, const TubeSums& tubes) const;
-  TubeSums trace_tubes(const Look& look, Progress& progress, double share, CurrentMap* map) const;
-  ImageRequest edge_pieces(const Look& look, const TubeSums& tubes, ImageRequest request) const;
-  LookResult rays(const Look& look, Progress& progress, double share) const;
-  std::vector<Contribution> run_mechanisms(const TracedLook& look, LookSink& sink, Progress& progress, double share) const;
-  Contribution run(std::size_t mechanism, const TracedLook& look, LookSink& sink) const;
-
-  BandScene scene_;
-  std::size_t band_;
-  const ModelUncertainty& model_;
-  std::vector<std::unique_ptr<Mechanism>> mechanisms_;  // in the order of the plan; null: not there
-  std::optional<RayFields> ray_fields_;
-};
+/// What computes looks at the frequencies of one band.
+class BandSolver;
 
 /// Computes the looks of a plan. What all looks share is made once. Refers to the plan. Thread-safe.
 class LookSolver {
  public:
   explicit LookSolver(const SolvePlan& plan);
+  ~LookSolver();
 
   /// All mechanisms of look `index` of the sweep at every frequency, phase reference at the centre of the mesh (at a finite
   /// distance: the origin of its coordinates). Adds `share` to `progress` by and by.
@@ -75,7 +44,9 @@ class LookSolver {
   void solve_image(std::size_t index, std::size_t frequency_index, const ImageLattice& lattice, Progress& progress,
                    LookImage& image) const;
 
-  /// Of look `index` of a plan with one frequency: BandSolver::solve_pieces.
+  /// Everything that adds to S of look `index` of a plan with one frequency: currents in pieces within a cell of one lattice, all
+  /// others in pieces within a cell of the other one. Recentred coordinates; `mirror`: of the plane across z in which the
+  /// receiver is seen mirrored, if it is the mirror image of the transmitter: then currents alone have the places of their paths.
   void solve_pieces(std::size_t index, const ImageLattice& currents, const ImageLattice& edges, Progress& progress,
                     const PieceSink& sink, const std::optional<double>& mirror) const;
 

@@ -33,22 +33,20 @@ class ModelUncertainty {
     std::size_t edges;  // in edges_
     bool operator==(const Band&) const = default;
   };
-  void find_dents();
-  void find_edges(std::size_t frequency, double wavelength);
-  EdgeCurrents edge_currents(std::size_t frequency) const;
+  struct AtFrequency {
+    std::size_t band, body;  // in bands_ and dents_
+    PenumbraShares penumbras;
+  };
   std::vector<LookFeatures> features(const Look& look) const;
-  RowEvidence evidence_of_tubes(const Look& look, std::size_t frequency, std::span<const ScatteringMatrix> bounces) const;
-  RowEvidence evidence(const Look& look, const LookResult& result, std::size_t frequency,
-                       std::vector<ScatteringMatrix>& bounces) const;
+  RowEvidence evidence(const Look& look, std::size_t frequency, const TubeSums& tubes, std::size_t at,
+                       const std::vector<double>& met, const std::vector<ScatteringMatrix>& bounces) const;
 
   const SolvePlan& plan_;
   CurvedParts curved_;
   std::vector<EdgeFeatures> edges_;
   std::vector<Band> bands_;
-  std::vector<std::size_t> band_of_;             // [frequency] in bands_
-  std::vector<PenumbraShares> penumbra_shares_;  // [frequency]
-  std::vector<std::size_t> body_of_;             // [frequency] in dents_
-  std::vector<FacetDents> dents_;                // of each band of the plan
+  std::vector<AtFrequency> at_;    // [frequency]
+  std::vector<FacetDents> dents_;  // of each band of the plan
   double rim_dent_;
 };
 

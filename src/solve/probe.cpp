@@ -31,26 +31,15 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class Deadline {
  public:
   Deadline(tbb::task_group_context& work, double seconds)
-      : thread_([this, &work, seconds] {
-          std::unique_lock lock(mutex_);
-          if (!done_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return finished_; }))
-            work.cancel_group_execution();
+      : thread_([&work, seconds](const std::stop_token& done) {
+          std::mutex mutex;
+          std::unique_lock lock(mutex);
+          std::condition_variable_any().wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; });
+          if (!done.stop_requested()) work.cancel_group_execution();
         }) {}
-  ~Deadline() {
-    {
-      const std::lock_guard lock(mutex_);
-      finished_ = true;
-    }
-    done_.notify_all();
-    thread_.join();
-  }
-  Deadline(const Deadline&) = delete;
 
  private:
-  std::mutex mutex_;
-  std::condition_variable done_;
-  bool finished_ = false;
-  std::thread thread_;
+  std::jthread thread_;  // stopped and joined at the end
 };
 
 // The n-th of many looks such that the first ones lie far apart: steps of the golden ratio.
@@ -71,85 +60,67 @@ SolvePlan bounded_part(const SolvePlan& plan) {
   return part;
 }
 
-class Probe {
- public:
-  Probe(const SolvePlan& plan, const LookSolver& solver) : plan_(plan), solver_(solver) {}
+// Whether a look with this share of its progress has come to a mechanism in the last band.
+bool has_begun(std::size_t mechanism, double share, const SolvePlan& plan) {
+  return 1.0 - share <= share_left(plan, mechanism) / static_cast<double>(plan.bands.size()) + share_rounding;
+}
 
-  // Seconds that a batch of looks takes, side by side as in a solve; none if it was given up.
-  std::optional<double> batch(std::size_t size, double patience) {
-    tbb::task_group_context context;
-    last_.assign(size, {});
-    const auto start = Clock::now();
-    {
-      const Deadline deadline(context, patience);
-      const auto solve = [&](std::size_t i) { tbb::this_task_arena::isolate([&] { solve_look(next_ + i, last_[i]); }); };
-      try {
-        tbb::parallel_for(std::size_t{0}, size, solve, context);
-      } catch (const Interrupted&) {
-        return {};
-      }
-    }
-    if (context.is_group_execution_cancelled()) return {};
-    next_ += size;
-    return seconds_since(start);
+void time_look(const SolvePlan& plan, const LookSolver& solver, std::size_t n, LookSoFar& so_far) {
+  const auto start = Clock::now();
+  Progress progress([&](double share) {
+    so_far.passed_s = seconds_since(start);
+    const double of_tubes = share / first_tubes_share;
+    if (of_tubes <= 1.0 + share_rounding) so_far.share = of_tubes, so_far.share_s = so_far.passed_s;
+    if (!so_far.tubes_s && has_begun(0, share, plan)) so_far.tubes_s = so_far.passed_s;
+    for (std::size_t i = 0; i < plan.mechanisms.size() && !so_far.edges_s; ++i)
+      if (plan.mechanisms[i].budget && has_begun(i, share, plan)) so_far.edges_s = so_far.passed_s;
+    return true;
+  });
+  try {
+    look_bytes(solver.solve(plan.looks.computed[spread(n, plan.looks.computed.size())], progress, 1.0));
+  } catch (const Interrupted&) {
+    so_far.passed_s = seconds_since(start);
+    throw;
   }
+  stop_if_cancelled();
+}
 
-  // What the longest look of the last batch takes at most in the whole plan.
-  double longest(const SolvePlan& whole) const {
-    double seconds = 0.0;
-    for (const LookSoFar& look : last_) seconds = std::max(seconds, longest_look(look, whole));
-    return seconds;
-  }
-
- private:
-  void solve_look(std::size_t n, LookSoFar& so_far) const {
-    const auto start = Clock::now();
-    Progress progress([&](double share) {
-      so_far.passed_s = seconds_since(start);
-      const double of_tubes = share / first_tubes_share;
-      if (of_tubes <= 1.0 + share_rounding) so_far.share = of_tubes, so_far.share_s = so_far.passed_s;
-      if (!so_far.tubes_s && has_begun(0, share)) so_far.tubes_s = so_far.passed_s;
-      for (std::size_t i = 0; i < plan_.mechanisms.size() && !so_far.edges_s; ++i)
-        if (plan_.mechanisms[i].budget && has_begun(i, share)) so_far.edges_s = so_far.passed_s;
-      return true;
-    });
-    const std::size_t look = plan_.looks.computed[spread(n, plan_.looks.computed.size())];
-    try {
-      look_bytes(solver_.solve(look, progress, 1.0));
-    } catch (const Interrupted&) {
-      so_far.passed_s = seconds_since(start);
-      throw;
-    }
-    stop_if_cancelled();
-  }
-
-  // Whether a look with this share of its progress has come to a mechanism in the last band.
-  bool has_begun(std::size_t mechanism, double share) const {
-    return 1.0 - share <= share_left(plan_, mechanism) / static_cast<double>(plan_.bands.size()) + share_rounding;
-  }
-
-  const SolvePlan& plan_;
-  const LookSolver& solver_;
-  std::size_t next_ = 0;
-  std::vector<LookSoFar> last_;  // of the last batch
+struct Batch {
+  std::optional<double> seconds;  // that its looks took, side by side as in a solve; none: they were given up
+  std::vector<LookSoFar> looks;
 };
 
-// Of looks that were not done: from those of their parts whose time is known or bounded.
-TimePrediction bound(const SolvePlan& plan, double patience, std::size_t batch, double least_look_s) {
+Batch time_batch(const SolvePlan& plan, const LookSolver& solver, std::size_t first, std::size_t size, double patience) {
+  Batch batch{{}, std::vector<LookSoFar>(size)};
+  tbb::task_group_context context;
+  const auto start = Clock::now();
+  const auto look = [&](std::size_t i) {
+    tbb::this_task_arena::isolate([&] { time_look(plan, solver, first + i, batch.looks[i]); });
+  };
+  try {
+    const Deadline deadline(context, patience);
+    tbb::parallel_for(std::size_t{0}, size, look, context);
+  } catch (const Interrupted&) {
+    return batch;
+  }
+  if (!context.is_group_execution_cancelled()) batch.seconds = seconds_since(start);
+  return batch;
+}
+
+// For looks that were not done: from those of their parts whose time is known or bounded.
+TimePrediction bound(const SolvePlan& plan, double patience, std::size_t size, double least_look_s) {
   const SolvePlan part = bounded_part(plan);
-  const LookSolver solver(part);
-  Probe probe(part, solver);
-  const std::optional<double> took = probe.batch(batch, patience);
-  const double look_s = std::max(least_look_s, probe.longest(plan));
-  const auto batches = static_cast<double>((plan.looks.computed.size() + batch - 1) / batch);
-  return {look_s * batches, look_s, batch, true, std::max(least_look_s, took.value_or(0.0)) * batches};
+  const Batch batch = time_batch(part, LookSolver(part), 0, size, patience);
+  double look_s = least_look_s;
+  for (const LookSoFar& look : batch.looks) look_s = std::max(look_s, longest_look(look, plan));
+  const auto batches = static_cast<double>((plan.looks.computed.size() + size - 1) / size);
+  return {look_s * batches, look_s, size, true, std::max(least_look_s, batch.seconds.value_or(0.0)) * batches};
 }
 
 // The first batch warms up: it counts only if there is no other.
 TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, double seconds, double patience) {
   const std::size_t looks = plan.looks.computed.size(), threads = plan.threads > 0 ? plan.threads : all_threads();
   const std::size_t batch = std::min(looks, threads);
-  Probe probe(plan, solver);
   const auto start = Clock::now();
   TimePrediction result;
   double sum = 0.0;
@@ -158,7 +129,8 @@ TimePrediction timed_looks(const SolvePlan& plan, const LookSolver& solver, doub
     return (done < looks && passed < seconds) || passed < least_seconds;
   };
   for (std::size_t done = 0; goes_on(done); done += batch) {
-    const std::optional<double> took = probe.batch(batch, std::max(patience - seconds_since(start), seconds));
+    const std::optional<double> took =
+        time_batch(plan, solver, done, batch, std::max(patience - seconds_since(start), seconds)).seconds;
     if (!took && result.looks == 0) return bound(plan, patience, batch, seconds_since(start));
     if (!took) break;
     if (done == batch) sum = 0.0, result.looks = 0;

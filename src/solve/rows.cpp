@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "plan/phase_reference.h"
-#include "solve/mechanisms/interaction.h"
-#include "uncertainty/remedies.h"
+#include "solve/remedies.h"
 
 namespace raytube {
 
@@ -127,34 +126,23 @@ void Rows::add_to_row(std::size_t row, const ScatteringMatrix& s, std::vector<Sc
 
 // In index order, so that sums do not depend on the order of the looks.
 std::vector<ModelPart> Rows::model_parts() {
-  std::array<double, omissions> sums{};
+  std::vector<double> sums(omissions);
   for (const std::array<double, omissions>& look : model_squares_)
     for (std::size_t part = 0; part < omissions; ++part) sums[part] += look[part];
-  const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
   const double of_interaction = sums[static_cast<std::size_t>(Omission::interaction)];
   const double left_out = std::accumulate(left_out_.begin(), left_out_.end(), 0.0);
-  const Target& target = plan_.target;
-  RemedyEvidence evidence{plan_.edges, plan_.tubes, plan_.surfaces, account_.so_far().truncated, account_.so_far().hits};
-  evidence.materials = !sweep_.materials.empty();
-  evidence.sheets = std::ranges::any_of(sweep_.materials, &Material::transmits);
-  evidence.curved_edges = model_uncertainty_.curved_edges();
-  evidence.possible_pairs = static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size());
-  evidence.interaction_left_out = of_interaction > 0.0 ? left_out / of_interaction : 0.0;
-  evidence.looks_without_waves = account_.used()[plan_.index_of("surface_waves")].looks_without;
-  for (const Count& count : account_.counts(plan_.index_of("interaction"))) {
-    if (count.why == beyond_budget) evidence.pairs_left_out += count.count;
-    if (count.what == "interaction_pairs") evidence.interaction_pairs = count.count;
-  }
+  std::vector<MechanismShown> shown;
+  for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i)
+    shown.push_back({account_.counts(i), account_.use(i).looks_without, of_interaction > 0.0 ? left_out / of_interaction : 0.0,
+                     model_uncertainty_.curved_edges()});
   std::vector<ModelPart> parts = std::move(result_.model_parts);
   for (std::size_t i = 0; i < omissions; ++i) {
-    const OmissionText& text = text_of(static_cast<Omission>(i));
-    parts[i].name = text.name, parts[i].what = text.what;
-    parts[i].remedy = remedy_of(static_cast<Omission>(i), evidence);
-    parts[i].rms = std::sqrt(sums[i] / static_cast<double>(sweep_.rows()));
-    parts[i].share = all > 0.0 ? sums[i] / all : 0.0;
+    const auto omission = static_cast<Omission>(i);
+    parts[i].name = text_of(omission).name, parts[i].what = text_of(omission).what;
+    parts[i].remedy = remedy_of(omission, plan_, account_.so_far(), shown);
   }
+  tell_shares(sums, sweep_.rows(), parts);
   std::erase_if(parts, [](const ModelPart& part) { return part.rms == 0.0; });
-  std::ranges::stable_sort(parts, std::ranges::greater{}, &ModelPart::share);
   return parts;
 }
 
@@ -164,6 +152,15 @@ SweepResult Rows::finish() {
   std::ranges::copy_if(beyond_bound_, std::back_inserter(result_.statistics.beyond_bound),
                        [](const BeyondBound& each) { return each.rows > 0; });
   return std::move(result_);
+}
+
+void tell_shares(const std::vector<double>& sums, std::size_t rows, std::vector<ModelPart>& parts) {
+  const double all = std::accumulate(sums.begin(), sums.end(), 0.0);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].rms = std::sqrt(sums[i] / static_cast<double>(rows));
+    parts[i].share = all > 0.0 ? sums[i] / all : 0.0;
+  }
+  std::ranges::stable_sort(parts, std::ranges::greater{}, &ModelPart::share);
 }
 
 }  // namespace raytube

@@ -12,6 +12,10 @@
 
 namespace raytube {
 
+/// Root mean squares and shares of the parts of a model uncertainty from their sums of squares over so many rows [m^2], and the
+/// largest part first.
+void tell_shares(const std::vector<double>& sums, std::size_t rows, std::vector<ModelPart>& parts);
+
 /// Puts each look's result in its rows and in those of the looks that follow from it, and adds up the counts: as they come, so
 /// that no look is held longer than it takes. Refers to the plan and its model uncertainty.
 class Rows {

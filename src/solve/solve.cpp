@@ -16,11 +16,8 @@ namespace raytube {
 
 namespace {
 
-// A look kept from an earlier solve, if there is one.
-std::optional<LookResult> kept_look(const KeptLooks& kept, std::size_t index, std::size_t frequencies) {
-  if (!kept.find) return {};
-  const std::string bytes = kept.find(index);
-  return bytes.empty() ? std::nullopt : look_of_bytes(bytes, frequencies);
+std::optional<LookResult> look_of(const SolvePlan& plan, const std::string& bytes) {
+  return look_of_bytes(bytes, plan.sweep.frequencies.size(), plan.mechanisms.size());
 }
 
 // What is done with each look that is computed here, found by another process, or kept from before; in any order.
@@ -31,7 +28,8 @@ std::vector<bool> take_kept(const SolvePlan& plan, const KeptLooks& kept, Progre
                             const LookDone& done) {
   std::vector<char> known(plan.looks.computed.size());
   tbb::parallel_for(std::size_t{0}, known.size(), [&](std::size_t index) {
-    const std::optional<LookResult> look = kept_look(kept, index, plan.sweep.frequencies.size());
+    const std::string bytes = kept.find ? kept.find(index) : "";
+    const std::optional<LookResult> look = bytes.empty() ? std::nullopt : look_of(plan, bytes);
     if (!look) return;
     if (done) done(index, *look);
     known[index] = 1;
@@ -47,7 +45,7 @@ std::vector<bool> take_kept(const SolvePlan& plan, const KeptLooks& kept, Progre
 // result.
 void compute_looks(const SolvePlan& plan, const LookSolver& solver, const Shard& shard,
                    const std::function<bool(double)>& callback, const KeptLooks& kept, WorkTeam* team, const LookDone& done) {
-  const std::size_t looks = plan.looks.computed.size(), frequencies = plan.sweep.frequencies.size();
+  const std::size_t looks = plan.looks.computed.size();
   TeamOfOne alone;
   WorkTeam& all = team ? *team : alone;
   Progress progress(callback);
@@ -56,7 +54,7 @@ void compute_looks(const SolvePlan& plan, const LookSolver& solver, const Shard&
     std::vector<bool> known = all.leads() ? take_kept(plan, kept, progress, share, done) : std::vector<bool>(looks);
     for (std::size_t index = 0; index < looks; ++index) known[index] = known[index] || !shard.has(index);
     TeamMember member(all, known, [&](std::size_t index, std::string bytes) {
-      if (done) done(index, look_of_bytes(bytes, frequencies).value());
+      if (done) done(index, look_of(plan, bytes).value());
       if (kept.keep) kept.keep(index, std::move(bytes));
       progress.add(share);
     });

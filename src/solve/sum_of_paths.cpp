@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plan/phase_reference.h"
+#include "solve/rows.h"
 
 namespace raytube {
 
@@ -56,25 +57,20 @@ void count_largest(std::vector<ModelPart>& parts, std::size_t row) {
 
 // As of a solve, of rows that have been added up.
 void tell_model(SweepResult& result) {
-  double all = 0.0;
-  result.model.assign(result.total.size(), {});
-  for (ModelPart& part : result.model_parts) {
-    double sum = 0.0;
-    for (std::size_t row = 0; row < part.rows.size(); ++row) {
-      sum += co_polar_square(part.rows[row]);
-      for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) result.model[row][p][q] += part.rows[row][p][q] * part.rows[row][p][q];
-    }
-    part.rms = std::sqrt(sum / static_cast<double>(part.rows.size()));
-    part.share = sum, part.rows_largest = 0;
-    all += sum;
+  std::vector<double> sums;
+  for (const ModelPart& part : result.model_parts) {
+    double& sum = sums.emplace_back(0.0);
+    for (const ChannelErrors& row : part.rows) sum += co_polar_square(row);
   }
-  for (ChannelErrors& row : result.model)
-    for (std::array<double, 2>& received : row)
-      for (double& error : received) error = std::sqrt(error);
-  for (ModelPart& part : result.model_parts) part.share = all > 0.0 ? part.share / all : 0.0;
-  for (std::size_t row = 0; row < result.total.size(); ++row) count_largest(result.model_parts, row);
-  std::ranges::stable_sort(result.model_parts, std::ranges::greater{}, &ModelPart::share);
+  result.model.resize(result.total.size());
+  for (ModelPart& part : result.model_parts) part.rows_largest = 0;
+  for (std::size_t row = 0; row < result.total.size(); ++row) {
+    std::vector<ChannelErrors> errors;
+    for (const ModelPart& part : result.model_parts) errors.push_back(part.rows[row]);
+    result.model[row] = root_sum_square(errors);
+    count_largest(result.model_parts, row);
+  }
+  tell_shares(sums, result.total.size(), result.model_parts);
 }
 
 void tell_looks(const PathSum& sum, const Sweep& sweep, Statistics& s) {

@@ -38,86 +38,44 @@ double typical(const ScatteringMatrix& s, int p, int q) {
   return std::max(std::abs(s.at(p, q)), std::sqrt(0.5 * (std::norm(s.at(p, q)) + std::norm(s.at(1 - p, 1 - q)))));
 }
 
-class RowEstimate {
- public:
-  RowEstimate(const LookFeatures& look, const RowEvidence& row) : look_(look), row_(row) {}
-
-  OmissionErrors all() {
-    // Seen over reflections, on the way there and back, a corner counts again.
-    const double amplitude =
-        corner_amplitude * (row_.edge_order > 1 ? 1.0 : untruncated_corners) * (1.0 + row_.reflected_share());
-    set(Omission::corners, everywhere(amplitude * look_.corners));
-    set(Omission::edges, everywhere(edge_amplitude * look_.edges));
-    set(Omission::cut_tubes, everywhere(std::sqrt(row_.truncated / (4.0 * pi))));
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q) set_channel(p, q);
-    return errors_;
+// The bounces first ... last - 1, of which edges take a share or put it in the place of them. Where no lobe of the reflected
+// waves is seen their edges still are, which scatter evenly.
+double reflected(const RowEvidence& row, std::size_t first, std::size_t last, int p, int q) {
+  double squares = 0.0;
+  for (std::size_t m = first; m < std::min(last, row.bounces.size()); ++m) {
+    const double evenly = m < row.met.size() ? row.met[m] / (4.0 * pi) : 0.0;
+    squares += std::norm(row.bounces[m].at(p, q)) + evenly;
   }
+  return std::sqrt(squares);
+}
 
- private:
-  ChannelErrors& at(Omission omission) { return errors_[static_cast<std::size_t>(omission)]; }
-  void set(Omission omission, const ChannelErrors& errors) { at(omission) = errors; }
-
-  void set_channel(int p, int q) {
-    const double higher = typical(row_.higher, p, q), first = typical(row_.edges, p, q);
-    at(Omission::edge_orders)[p][q] = row_.edge_order == 1 ? second_order * first : next_term * higher;
-    const double further = row_.has_interaction ? next_term * typical(row_.interaction, p, q)
-                                                : row_.penumbras.of_edges * reflected(1, interacting_bounces, p, q);
-    at(Omission::interaction)[p][q] = std::hypot(further, row_.left_out);
-    at(Omission::cavities)[p][q] = row_.penumbras.of_edges * reflected(interacting_bounces, row_.bounces.size(), p, q);
-    const double boundary = row_.has_surface_waves ? wave_error : boundary_amplitude;
-    const double tight = row_.has_surface_waves ? tight_wave_error : boundary_amplitude;
-    at(Omission::smooth_surfaces)[p][q] =
-        std::hypot(std::hypot(boundary * look_.shadow_boundaries[p][q], tight * look_.tight_curves, rim_amplitude * look_.rims),
-                   row_.penumbras.of_smooth * reflected(1, row_.bounces.size(), p, q));
-    at(Omission::focusing)[p][q] = focused(p, q);
-    set_facets(p, q);
-    set_small_target(p, q);
+// Of closed shells of sheets all that meets a surface a second time was inside.
+double focused(const RowEvidence& row, int p, int q) {
+  double coherent = square(typical(row.inside, p, q)), evenly = row.left_solids;
+  if (row.penumbras.shells > 0.0) {
+    ScatteringMatrix further;
+    double met = 0.0;
+    for (std::size_t m = 1; m < row.bounces.size(); ++m) further += row.bounces[m];
+    for (std::size_t m = 1; m < row.met.size(); ++m) met += row.met[m];
+    coherent += square(row.penumbras.shells * typical(further, p, q));
+    evenly += square(row.penumbras.shells) * met;
   }
+  return std::hypot(focused_share * std::sqrt(coherent), focused_amplitude * std::sqrt(evenly / (4.0 * pi)));
+}
 
-  // Of the bounces first ... last - 1, of which edges take a share or put it in the place of them. Where no lobe of the reflected
-  // waves is seen their edges still are, which scatter evenly.
-  double reflected(std::size_t first, std::size_t last, int p, int q) const {
-    double squares = 0.0;
-    for (std::size_t m = first; m < std::min(last, row_.bounces.size()); ++m) {
-      const double evenly = m < row_.met.size() ? row_.met[m] / (4.0 * pi) : 0.0;
-      squares += std::norm(row_.bounces[m].at(p, q)) + evenly;
-    }
-    return std::sqrt(squares);
-  }
+double facets(const RowEvidence& row, int p, int q) {
+  if (row.bounces.empty()) return 0.0;
+  const double rims = std::min(1.0, chord_error(row.rim_dent, row.wavelength)) * typical(row.edges, p, q);
+  return std::hypot(row.facets * std::abs(row.bounces[0].at(p, q)), rims);
+}
 
-  // Of closed shells of sheets all that meets a surface a second time was inside.
-  double focused(int p, int q) const {
-    double coherent = square(typical(row_.inside, p, q)), evenly = row_.left_solids;
-    if (row_.penumbras.shells > 0.0) {
-      ScatteringMatrix further;
-      double met = 0.0;
-      for (std::size_t m = 1; m < row_.bounces.size(); ++m) further += row_.bounces[m];
-      for (std::size_t m = 1; m < row_.met.size(); ++m) met += row_.met[m];
-      coherent += square(row_.penumbras.shells * typical(further, p, q));
-      evenly += square(row_.penumbras.shells) * met;
-    }
-    return std::hypot(focused_share * std::sqrt(coherent), focused_amplitude * std::sqrt(evenly / (4.0 * pi)));
-  }
-
-  void set_facets(int p, int q) {
-    if (row_.bounces.empty()) return;
-    const double rims = std::min(1.0, chord_error(row_.rim_dent, row_.wavelength)) * typical(row_.edges, p, q);
-    at(Omission::facets)[p][q] = std::hypot(row_.facets * std::abs(row_.bounces[0].at(p, q)), rims);
-  }
-
-  // Rayleigh's limit: a body of half extent a much below the wavelength has |S| about k^2 a^3, whatever it is like. Too much is
-  // as wrong as too little: S^2 over that limit makes the level so many decibels uncertain.
-  void set_small_target(int p, int q) {
-    const double a = row_.half_extent, k = 2.0 * pi / row_.wavelength, rayleigh = k * k * a * a * a;
-    const double s = std::abs(row_.total().at(p, q));
-    if (rayleigh > 0.0) at(Omission::small_target)[p][q] = std::exp(-square(k * a)) * (s + rayleigh + s * s / rayleigh);
-  }
-
-  const LookFeatures& look_;
-  const RowEvidence& row_;
-  OmissionErrors errors_{};
-};
+// Rayleigh's limit: a body of half extent a much below the wavelength has |S| about k^2 a^3, whatever it is like. Too much is as
+// wrong as too little: S^2 over that limit makes the level so many decibels uncertain.
+double small_target(const RowEvidence& row, int p, int q) {
+  const double a = row.half_extent, k = 2.0 * pi / row.wavelength, rayleigh = k * k * a * a * a;
+  const double s = std::abs(row.total().at(p, q));
+  return rayleigh > 0.0 ? std::exp(-square(k * a)) * (s + rayleigh + s * s / rayleigh) : 0.0;
+}
 
 }  // namespace
 
@@ -135,9 +93,35 @@ ScatteringMatrix RowEvidence::total() const {
   return sum;
 }
 
-OmissionErrors estimate_omissions(const LookFeatures& look, const RowEvidence& row) { return RowEstimate(look, row).all(); }
+OmissionErrors estimate_omissions(const LookFeatures& look, const RowEvidence& row) {
+  OmissionErrors errors{};
+  const auto at = [&](Omission omission) -> ChannelErrors& { return errors[static_cast<std::size_t>(omission)]; };
+  // Seen over reflections, on the way there and back, a corner counts again.
+  const double of_corner = corner_amplitude * (row.edge_order > 1 ? 1.0 : untruncated_corners) * (1.0 + row.reflected_share());
+  at(Omission::corners) = everywhere(of_corner * look.corners);
+  at(Omission::edges) = everywhere(edge_amplitude * look.edges);
+  at(Omission::cut_tubes) = everywhere(std::sqrt(row.truncated / (4.0 * pi)));
+  const double boundary = row.has_surface_waves ? wave_error : boundary_amplitude;
+  const double tight = row.has_surface_waves ? tight_wave_error : boundary_amplitude;
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) {
+      const double higher = typical(row.higher, p, q), first = typical(row.edges, p, q);
+      at(Omission::edge_orders)[p][q] = row.edge_order == 1 ? second_order * first : next_term * higher;
+      const double further = row.has_interaction ? next_term * typical(row.interaction, p, q)
+                                                 : row.penumbras.of_edges * reflected(row, 1, interacting_bounces, p, q);
+      at(Omission::interaction)[p][q] = std::hypot(further, row.left_out);
+      at(Omission::cavities)[p][q] = row.penumbras.of_edges * reflected(row, interacting_bounces, row.bounces.size(), p, q);
+      at(Omission::smooth_surfaces)[p][q] =
+          std::hypot(std::hypot(boundary * look.shadow_boundaries[p][q], tight * look.tight_curves, rim_amplitude * look.rims),
+                     row.penumbras.of_smooth * reflected(row, 1, row.bounces.size(), p, q));
+      at(Omission::focusing)[p][q] = focused(row, p, q);
+      at(Omission::facets)[p][q] = facets(row, p, q);
+      at(Omission::small_target)[p][q] = small_target(row, p, q);
+    }
+  return errors;
+}
 
-ChannelErrors root_sum_square(const OmissionErrors& errors) {
+ChannelErrors root_sum_square(std::span<const ChannelErrors> errors) {
   ChannelErrors sum{};
   for (const ChannelErrors& part : errors)
     for (int p = 0; p < 2; ++p)

@@ -68,6 +68,6 @@ struct RowEvidence {
 OmissionErrors estimate_omissions(const LookFeatures& look, const RowEvidence& row);
 
 /// The root of the sum of their squares.
-ChannelErrors root_sum_square(const OmissionErrors& errors);
+ChannelErrors root_sum_square(std::span<const ChannelErrors> errors);
 
 }  // namespace raytube

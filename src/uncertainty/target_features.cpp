@@ -91,65 +91,23 @@ double missing_share(const Wedge& wedge, const EdgeCurrents& currents) {
   return (wedge.is_border() ? std::lerp(material_share, rim_share, there) : material_share) * all;
 }
 
-class EdgeFinder {
- public:
-  EdgeFinder(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents, double wavelength)
-      : wedges_(wedges), curved_(curved), currents_(currents), wavelength_(wavelength) {}
-
-  EdgeFeatures find() {
-    const std::vector<WedgeEnd> ends = ends_of(wedges_);
-    for_each_point(ends, [&](std::span<const WedgeEnd> here) { add_corner(features_, wedges_, here, currents_); });
-    const std::vector<std::uint32_t> runs = find_runs(ends);
-    for (std::size_t i = 0; i < wedges_.size(); ++i) add_edge(wedges_[i], runs[i]);
-    std::ranges::stable_sort(features_.edges, {}, &WeakEdge::run);
-    return std::move(features_);
-  }
-
- private:
-  std::vector<std::uint32_t> find_runs(std::span<const WedgeEnd> ends) const {
-    DisjointSets runs(wedges_.size());
-    for_each_point(ends, [&](std::span<const WedgeEnd> here) {
-      if (goes_on(here)) runs.join(here[0].wedge, here[1].wedge);
-    });
-    join_beside_narrow_faces(runs);
-    return runs.numbers();
-  }
-
-  void join_beside_narrow_faces(DisjointSets& runs) const {
-    std::vector<std::uint32_t> first(curved_.patches.size(), no_index);
-    for (std::uint32_t i = 0; i < wedges_.size(); ++i)
-      for (const WedgeFace& face : wedges_[i].faces) {
-        if (!counts(wedges_[i]) || face.patch == no_index || !is_narrow(face.width, wavelength_)) continue;
-        std::uint32_t& other = first[face.patch];
-        if (other == no_index) other = i;
-        runs.join(other, i);
-      }
-  }
-
-  void add_edge(const Wedge& wedge, std::uint32_t run) {
-    if (!counts(wedge)) return;
-    const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved_.patches[face.patch]; };
-    const bool curved = std::ranges::any_of(wedge.faces, is_curved);
-    const double share = currents_.over_curved && wedge.conducting() ? followed_faces_share : curved_faces_share;
-    const double missing = std::max(missing_share(wedge, currents_), curved ? share : 0.0);
-    const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
-    if (missing == 0.0 && !is_narrow(width, wavelength_)) return;
-    features_.edges.push_back({0.5 * (wedge.start + wedge.end),
-                               0.5 * (wedge.end - wedge.start),
-                               {wedge.faces[0].normal, wedge.faces[1].normal},
-                               std::min(wedge.n - 1.0, 1.0),
-                               missing,
-                               width,
-                               curved,
-                               run});
-  }
-
-  std::span<const Wedge> wedges_;
-  const CurvedParts& curved_;
-  const EdgeCurrents& currents_;
-  double wavelength_;
-  EdgeFeatures features_;
-};
+// Wedges that go on in one another, or lie beside one narrow face, are one run.
+std::vector<std::uint32_t> find_runs(std::span<const Wedge> wedges, std::span<const WedgeEnd> ends, std::size_t patches,
+                                     double wavelength) {
+  DisjointSets runs(wedges.size());
+  for_each_point(ends, [&](std::span<const WedgeEnd> here) {
+    if (goes_on(here)) runs.join(here[0].wedge, here[1].wedge);
+  });
+  std::vector<std::uint32_t> first(patches, no_index);  // of the wedges beside a face
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    for (const WedgeFace& face : wedges[i].faces) {
+      if (!counts(wedges[i]) || face.patch == no_index || !is_narrow(face.width, wavelength)) continue;
+      std::uint32_t& other = first[face.patch];
+      if (other == no_index) other = i;
+      runs.join(other, i);
+    }
+  return runs.numbers();
+}
 
 double triangle_area(const TriangleMesh& mesh, std::uint32_t triangle) { return 0.5 * mesh.twice_area(triangle); }
 
@@ -224,7 +182,30 @@ CurvedParts find_curved_parts(const TriangleMesh& mesh, double min_wedge_angle) 
 
 EdgeFeatures find_edge_features(std::span<const Wedge> wedges, const CurvedParts& curved, const EdgeCurrents& currents,
                                 double wavelength) {
-  return EdgeFinder(wedges, curved, currents, wavelength).find();
+  EdgeFeatures features;
+  const std::vector<WedgeEnd> ends = ends_of(wedges);
+  for_each_point(ends, [&](std::span<const WedgeEnd> here) { add_corner(features, wedges, here, currents); });
+  const std::vector<std::uint32_t> runs = find_runs(wedges, ends, curved.patches.size(), wavelength);
+  const auto is_curved = [&](const WedgeFace& face) { return face.patch != no_index && curved.patches[face.patch]; };
+  for (std::size_t i = 0; i < wedges.size(); ++i) {
+    const Wedge& wedge = wedges[i];
+    if (!counts(wedge)) continue;
+    const bool beside_curved = std::ranges::any_of(wedge.faces, is_curved);
+    const double share = currents.over_curved && wedge.conducting() ? followed_faces_share : curved_faces_share;
+    const double missing = std::max(missing_share(wedge, currents), beside_curved ? share : 0.0);
+    const double width = std::min(wedge.faces[0].width, wedge.faces[1].width);
+    if (missing == 0.0 && !is_narrow(width, wavelength)) continue;
+    features.edges.push_back({.middle = 0.5 * (wedge.start + wedge.end),
+                              .half = 0.5 * (wedge.end - wedge.start),
+                              .normals = {wedge.faces[0].normal, wedge.faces[1].normal},
+                              .sharpness = std::min(wedge.n - 1.0, 1.0),
+                              .missing = missing,
+                              .width = width,
+                              .curved = beside_curved,
+                              .run = runs[i]});
+  }
+  std::ranges::stable_sort(features.edges, {}, &WeakEdge::run);
+  return features;
 }
 
 double curved_share(std::span<const WeakEdge> edges) {

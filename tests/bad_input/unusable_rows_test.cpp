@@ -36,7 +36,7 @@ class UnusableRows : public BadInput {
     std::uint64_t first = 0;
     while (first + 1 < looks && file->find(first).empty()) ++first;
     ASSERT_FALSE(file->find(first).empty());
-    LookResult look = look_of_bytes(file->find(first), 1).value();
+    LookResult look = look_of_bytes(file->find(first), 1, mechanism_list().size()).value();
     std::vector<JournalRecord> records;
     for (std::uint64_t i = 0; i < looks; ++i) records.push_back({i, look_bytes(look)});
     spoil(look);

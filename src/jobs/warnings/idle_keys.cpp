@@ -39,8 +39,9 @@ Reason why_receiver_shadow(const SolvePlan& plan) {
 }
 
 Reason why_materials(const SolvePlan& plan) {
-  const bool none = count_material_edges(plan.target.wedges, plan.sweep.materials, plan.sweep.frequencies).known == 0;
-  return plan.fringe() && none ? "no edge of the target has a face of another material whose edges are known" : "";
+  return plan.fringe() && count_material_edges(plan.target, plan.sweep, plan.edges).known == 0
+             ? "no edge of the target has a face of another material whose edges are known"
+             : "";
 }
 
 struct KeyWithEffect {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/mechanisms/states.h"
+#include "solve/mechanisms/list.h"
 
 namespace raytube {
 

@@ -1,8 +1,11 @@
-#include "solve/mechanisms/edge_currents.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 
+#include "plan/material_edges.h"
+#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/list.h"
 #include "uncertainty/omissions.h"
 #include "utd/corner/corner_waves.h"
 
@@ -55,19 +58,17 @@ class EdgeCurrentsOfLook : public Mechanism {
   const bool on_;
 };
 
-}  // namespace
-
 // Without any that radiate the pass is made where nothing is to be skipped.
-std::unique_ptr<Mechanism> make_edge_currents(const BandScene& scene) {
+std::unique_ptr<Mechanism> make_edges(const BandScene& scene) {
   return scene.plan.fringe() ? std::make_unique<EdgeCurrentsOfLook>(scene) : nullptr;
 }
 
-void tell_edge_currents(const SolvePlan&, const Contribution& edges, std::size_t frequency, RowEvidence& row) {
+void tell_edges(const SolvePlan&, const Contribution& edges, std::size_t frequency, RowEvidence& row) {
   row.edges = edges.at(0, frequency), row.higher = edges.at(1, frequency);
 }
 
 // Sets of wedges beside the mesh's own, and the solved corners of plates.
-double edge_currents_bytes(const SolvePlan& plan) {
+double bytes_of_edges(const SolvePlan& plan) {
   if (!plan.fringe()) return 0.0;
   double bytes = 0.0;
   for (const WedgeSet& set : plan.wedge_sets) {
@@ -75,6 +76,59 @@ double edge_currents_bytes(const SolvePlan& plan) {
     if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges).bytes());
   }
   return bytes;
+}
+
+std::string remedy_of_edges(const SolvePlan& plan, const MechanismShown& shown) {
+  const bool materials = !plan.sweep.materials.empty();
+  if (!plan.fringe()) return more_edge_currents;
+  if (materials && plan.edges.materials == MaterialEdgeMethod::none) return "edges.materials = \"fringe\", at little cost";
+  const bool straight_over_curved = !plan.surfaces.waves.possible() && shown.curved_edges > worth_naming;
+  if (straight_over_curved && !materials) return more_surface_waves;
+  return "none; use a full-wave method where such edges matter";
+}
+
+// Up to the order beyond which the omission no longer falls.
+template <Omission omission, int best_order>
+std::string remedy_of_order(const SolvePlan& plan, const MechanismShown&) {
+  if (!plan.fringe()) return more_edge_currents;
+  if (plan.edges.order >= best_order) return text_of(omission).remedy;
+  return fmt::format("edges.order = {}, a few times the time of the edges", best_order);
+}
+
+double bound_of_edges(const AmplitudeLimits& limits) { return limits.edges; }
+// As much again for every further edge in a row.
+double bound_of_further_edges(const AmplitudeLimits& limits) { return (limits.edge_order - 1) * limits.edges; }
+
+}  // namespace
+
+MechanismState edge_currents_state(const SolvePlan& plan) {
+  if (!plan.fringe()) return without(plan.rays() ? "edges.method is \"utd\"" : "edges.method is \"none\"");
+  const MaterialEdgeCount count = count_material_edges(plan.target, plan.sweep, plan.edges);
+  if (count.computed == 0 && std::ranges::none_of(plan.target.wedges, &Wedge::radiates)) {
+    if (count.known > 0) return misses("edges.materials is \"none\"");
+    return without(count.of_solids > 0 ? "edges of solids add nothing"
+                                       : "the target has no convex edge whose currents are known");
+  }
+  return {.on = true,
+          .forced = true,
+          .what = fmt::format("order {}{}", plan.edges.order, count.computed > 0 ? ", and of other materials" : "")};
+}
+
+MechanismEntry edge_currents_entry() {
+  return {.name = "edges",
+          .label = "edge currents",
+          .key = "edges.method",
+          .budget_key = nullptr,
+          .columns = {{"edges_order_1", "edges, order 1", bound_of_edges},
+                      {"edges_order_2_on", "edges, orders 2 and 3 (edges.order)", bound_of_further_edges}},
+          .counts = {"wedges_lit", "windowed_rows"},
+          .state = edge_currents_state,
+          .make = make_edges,
+          .bytes = bytes_of_edges,
+          .tell = tell_edges,
+          .remedies = {{Omission::corners, remedy_of_order<Omission::corners, 2>},  // where a face of the next edge ends
+                       {Omission::edge_orders, remedy_of_order<Omission::edge_orders, 3>},
+                       {Omission::edges, remedy_of_edges}}};
 }
 
 }  // namespace raytube

@@ -1,14 +1,15 @@
-#include "solve/mechanisms/interaction.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "mesh/model/geometry.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/tolerances.h"
 #include "scene/frequency_bands.h"
+#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/list.h"
 #include "uncertainty/omissions.h"
 #include "utd/fringe/near_pieces.h"
 #include "utd/interaction/illumination_rounds.h"
@@ -19,7 +20,7 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* pairs_of_edge_and_face = "pairs of edge and face";
+constexpr const char *pairs_of_edge_and_face = "pairs of edge and face", *count_of_pairs = "interaction_pairs";
 
 // Of the waves of an antenna, k a^2 / R, below which they are taken as plane all over the target [rad]: as much of what edges
 // send on is lost at most (measured: docs/theory/finite_range.md).
@@ -43,7 +44,7 @@ constexpr double work_of_patch = 5e3, work_of_edge = 3e4;
 // convex (Cauchy) [m]. It hangs on no row and no look.
 double isotropic_level(const TriangleMesh& mesh) {
   double area = 0.0;
-  for (const Triangle& t : mesh.triangles) area += 0.5 * glm::length(area_vector(mesh.vertices, t));
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) area += 0.5 * mesh.twice_area(t);
   return std::sqrt(area / 4.0 / (4.0 * pi));
 }
 
@@ -98,7 +99,7 @@ class Interaction : public Mechanism {
         .ran = frequencies_,
         .work = found.work,
         .counts = {{.what = "edge_illumination_pieces", .count = found.illuminating_pieces},
-                   {.what = "interaction_pairs", .count = found.pairs},
+                   {.what = count_of_pairs, .count = found.pairs},
                    {pairs_of_edge_and_face, "too weak to matter", skipped.weak_pairs},
                    {pairs_of_edge_and_face, beyond_budget, skipped.pairs},
                    {"pairs of edge and mirror", beyond_budget, skipped.reflected_pairs},
@@ -137,7 +138,38 @@ class Interaction : public Mechanism {
   double reach_ = 1.0;
 };
 
-}  // namespace
+// What takes no part for its size.
+std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
+  return {
+      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
+      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
+      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
+}
+
+MechanismState state_of_interaction(const SolvePlan& plan) {
+  if (!plan.edges.interaction.possible()) return without("edges.between is false");
+  if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
+  if (std::ranges::none_of(plan.target.wedges, &Wedge::radiates))
+    return without("the target has no convex edge between perfect conductors");
+  if (plan.no_reflection()) return without(nothing_in_front);
+  if (plan.edges.interaction_budget == 0.0) return misses("edges.between_budget is 0");
+  const std::vector<double>& frequencies = plan.sweep.frequencies;
+  const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
+  const auto without_large = static_cast<std::uint64_t>(
+      std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; }));
+  std::vector<Skipped> skipped = skipped_for_size(small, without_large);
+  std::erase_if(skipped, [](const Skipped& item) { return item.count == 0; });
+  if (without_large == frequencies.size()) {
+    MechanismState none = without("no edge is as long as a wavelength, or no face as wide");
+    none.skipped = std::move(skipped);
+    return none;
+  }
+  return {.on = true,
+          .forced = plan.edges.interaction.forced(),
+          .what = fmt::format("at most {:g} times the work of tubes and edges", plan.edges.interaction_budget),
+          .when = "in looks where edges.between_budget reaches half of what is expected",
+          .skipped = std::move(skipped)};
+}
 
 std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
   std::vector<bool> frequencies = scene.edges.interacting();
@@ -159,7 +191,7 @@ void tell_interaction(const SolvePlan& plan, const Contribution& interaction, st
 }
 
 // The edges and faces of each set as edge-face interaction sees them, and which of them count at each frequency.
-double interaction_bytes(const SolvePlan& plan) {
+double bytes_of_target(const SolvePlan& plan) {
   const auto patches = static_cast<double>(plan.target.mesh.patches.size());
   const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
   double bytes = frequencies * (patches / 8 + sizeof(InteractionGroup));
@@ -168,11 +200,54 @@ double interaction_bytes(const SolvePlan& plan) {
   return bytes;
 }
 
-double interaction_look_bytes(const SolvePlan& plan) {
+double bytes_of_look(const SolvePlan& plan) {
   const auto wedges = static_cast<double>(plan.target.wedges.size());
   const double pieces = wedges + 2.0 * most_reflected_pairs;
   return illumination_bytes(plan.sweep.frequencies.size(), pieces * static_cast<double>(plan.target.mesh.patches.size())) +
          wedges * sizeof(LitEdgePiece);
+}
+
+constexpr double few_pairs = 1e4;  // of an edge and a face: of more than these the budget reaches too few
+constexpr const char* no_interaction = "none; use a full-wave method where faces see one another";
+
+// At most: where there is little to compute it takes less than it may.
+std::string up_to_budget(const char* key, double budget) {
+  return fmt::format("{}, at most {:.2g} times the time", key, 1.0 + budget);
+}
+
+// The budget for all pairs, taken to cost as much each as those that were computed: these are the strongest, and so not the
+// cheapest. A look that leaves pairs out has spent its budget.
+std::string larger_budget(double budget, const MechanismShown& shown) {
+  std::uint64_t left = 0;
+  for (const Count& count : shown.counts) left += count.why == beyond_budget ? count.count : 0;
+  const std::uint64_t computed = count_named(shown.counts, count_of_pairs);
+  if (left == 0 || computed == 0 || shown.left_out < worth_naming) return no_interaction;
+  const double needed = std::ceil(budget * (1.0 + static_cast<double>(left) / static_cast<double>(computed)));
+  const double factor = (1.0 + needed) / (1.0 + budget);
+  if (factor > affordable) return no_interaction;
+  return fmt::format("edges.between_budget = {:.0f}, about {:.2g} times the time", needed, factor);
+}
+
+std::string remedy_of_interaction(const SolvePlan& plan, const MechanismShown& shown) {
+  const double budget = plan.edges.interaction_budget, usual = EdgeOptions{}.interaction_budget;
+  const Target& target = plan.target;
+  const double possible_pairs = static_cast<double>(target.wedges.size()) * static_cast<double>(target.mesh.patches.size());
+  if (std::ranges::any_of(plan.sweep.materials, &Material::transmits)) return no_interaction;
+  const bool is_off = !plan.fringe() || !plan.edges.interaction.possible() || budget == 0.0;
+  if (is_off && possible_pairs > few_pairs) return no_interaction;
+  if (!plan.fringe()) return more_edge_currents;
+  if (!plan.edges.interaction.possible()) return up_to_budget("edges.between = true", budget);
+  if (budget == 0.0) return up_to_budget(fmt::format("edges.between_budget = {}", usual).c_str(), usual);
+  return larger_budget(budget, shown);
+}
+
+// Nothing that an edge diffracts is stronger than what it receives.
+double bound_of_interaction(const AmplitudeLimits& limits) { return limits.surface; }
+
+}  // namespace
+
+bool interacts(const SolvePlan& plan, const BandPlan& band) {
+  return !band.convexity.no_reflection && plan.state("interaction").on;
 }
 
 InteractionLimits interaction_limits(const SolvePlan& plan) {
@@ -183,6 +258,22 @@ InteractionLimits interaction_limits(const SolvePlan& plan) {
   return {interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), isotropic_level(target.mesh)),
           budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity(), nullptr,
           plan.edges.interaction.forced() ? 0.0 : least_reach};
+}
+
+MechanismEntry interaction_entry() {
+  return {.name = "interaction",
+          .label = "edge-face interaction",
+          .key = "edges.between",
+          .budget_key = "edges.between_budget",
+          .columns = {{"interaction", "edge-face interaction (edges.between)", bound_of_interaction}},
+          .counts = {"edge_illumination_pieces", count_of_pairs},
+          .state = state_of_interaction,
+          .make = make_interaction,
+          .bytes = bytes_of_target,
+          .look_bytes = bytes_of_look,
+          .budget = [](const SolvePlan& plan) { return plan.edges.interaction_budget; },
+          .tell = tell_interaction,
+          .remedies = {{Omission::interaction, remedy_of_interaction}}};
 }
 
 }  // namespace raytube

@@ -1,4 +1,6 @@
-#include "solve/mechanisms/surface_waves.h"
+#include "utd/surface/surface_waves.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +8,12 @@
 #include <map>
 
 #include "scene/frequency_bands.h"
-#include "solve/mechanisms/states.h"
+#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/list.h"
+#include "uncertainty/constants.h"
 #include "uncertainty/omissions.h"
-#include "uncertainty/surface_wave_prospect.h"
+#include "utd/fock/face_impedances.h"
 #include "utd/rounded/rims.h"
-#include "utd/surface/surface_waves.h"
 #include "utd/tip/flat_tip_waves.h"
 #include "utd/tip/tip_waves.h"
 
@@ -34,15 +37,40 @@ void keep_points_apart(SurfaceRay& ray, double step) {
   ray.points = std::move(kept);
 }
 
-// Root mean square over a little more than a band, so that no chance of phases decides.
-double band_amplitude(const SurfaceWaveProspect& prospect, const Look& look, long band) {
-  constexpr int samples = 5;
-  constexpr double beside = 0.05;
-  double squares = 0.0;
-  for (int i = 0; i < samples; ++i)
-    squares += std::pow(prospect.amplitude(look, middle_of_band(band) * (1.0 + beside * (2.0 * i / (samples - 1) - 1.0))), 2);
-  return std::sqrt(squares / samples);
-}
+// What waves may add to a look before they are computed: the size of |S| of the co-polar channels, of the correction at shadow
+// boundaries, of that where surfaces bend tightly, of sharply bent rims (docs/theory/model_uncertainty.md, B, C and E), as large
+// as they are on spheres, and of edges beside curved faces; no bound.
+class SurfaceWaveProspect {
+ public:
+  // Of so many edges that what their strips over curved faces change adds up at random, unless the body is convex. The longest
+  // wavelength of the band tells which of their faces are narrow.
+  explicit SurfaceWaveProspect(const BandScene& scene)
+      : mesh_(scene.plan.target.mesh),
+        curved_(find_curved_parts(mesh_, scene.plan.target.options.min_wedge_angle)),
+        edges_(find_edge_features(scene.plan.target.wedges, curved_, {.over_curved = !scene.band.convexity.no_reflection},
+                                  wavelength(least_frequency(scene.band.frequencies)))) {}
+
+  // Root mean square over a little more than a band, so that no chance of phases decides.
+  double amplitude(const Look& look, long band) const {
+    constexpr int samples = 5;
+    constexpr double beside = 0.05;
+    double squares = 0.0;
+    for (int i = 0; i < samples; ++i)
+      squares += std::pow(at(look, middle_of_band(band) * (1.0 + beside * (2.0 * i / (samples - 1) - 1.0))), 2);
+    return std::sqrt(squares / samples);
+  }
+
+ private:
+  double at(const Look& look, double frequency) const {
+    const LookFeatures features = find_look_features({mesh_, curved_, edges_}, look, frequency);
+    const double boundaries = std::max(features.shadow_boundaries[0][0], features.shadow_boundaries[1][1]);
+    return std::hypot(std::hypot(boundaries, features.tight_curves, features.rims), uncertainty::edge_amplitude * features.edges);
+  }
+
+  const TriangleMesh& mesh_;
+  CurvedParts curved_;
+  EdgeFeatures edges_;
+};
 
 class WavesOverSurfaces : public Mechanism {
  public:
@@ -57,10 +85,7 @@ class WavesOverSurfaces : public Mechanism {
       if (!flat_tips_.contains(band))
         flat_tips_.try_emplace(band, find_flat_tips(*scene.curved, wavelength(middle_of_band(band))));
     }
-    const Target& target = scene.plan.target;
-    if (!scene.plan.surfaces.waves.forced())
-      prospect_.emplace(target.mesh, target.wedges, target.options.min_wedge_angle,
-                        wavelength(least_frequency(scene.band.frequencies)), !is_convex());
+    if (!scene.plan.surfaces.waves.forced()) prospect_.emplace(scene);
   }
 
   // Forward of grazing the estimate has lobes of its own: looks whose antennas stand apart take waves in any case. Close together
@@ -130,9 +155,8 @@ class WavesOverSurfaces : public Mechanism {
   double band_amplitude(const Look& look, long band) const {
     Look from_transmitter = look, from_receiver = look;
     from_transmitter.receive = look.transmit, from_receiver.transmit = look.receive;
-    const double amplitude = raytube::band_amplitude(*prospect_, from_transmitter, band);
-    return look.transmit == look.receive ? amplitude
-                                         : std::max(amplitude, raytube::band_amplitude(*prospect_, from_receiver, band));
+    const double amplitude = prospect_->amplitude(from_transmitter, band);
+    return look.transmit == look.receive ? amplitude : std::max(amplitude, prospect_->amplitude(from_receiver, band));
   }
 
   std::optional<AntennaPair> antennas_of(const Look& look) const {
@@ -177,24 +201,90 @@ class WavesOverSurfaces : public Mechanism {
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };
 
-}  // namespace
+// Facets of curved surfaces over which waves run.
+std::size_t wave_facets(const SolvePlan& plan, const BandPlan& band) {
+  if (!band.wave_surfaces) return 0;
+  const TriangleMesh& mesh = plan.target.mesh;
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    count += band.wave_surfaces->region(t) != no_index && carries_waves(plan.sweep.materials, mesh.patch_of(t).material);
+  return count;
+}
 
-std::unique_ptr<Mechanism> make_surface_waves(const BandScene& scene) {
+MechanismState state_of_waves(const SolvePlan& plan) {
+  if (!plan.surfaces.waves.possible()) return without("surfaces.waves is false");
+  if (!plan.fringe()) return without("they need edge currents (edges.method = \"fringe\")");
+  if (!plan.tubes.refines() || plan.tubes.curved == CurvedSurfaces::never)
+    return without("with tubes.curved = \"never\", or uniform tubes, facets are the surface itself");
+  const auto is_curved = [](const BandPlan& band) { return band.wave_surfaces != nullptr; };
+  if (std::ranges::none_of(plan.bands, is_curved)) return without("no curved surface");
+  const auto count = [&](const BandPlan& band) { return wave_facets(plan, band); };
+  const BandPlan& most = *std::ranges::max_element(plan.bands, {}, count);
+  const std::size_t facets = count(most), others = most.wave_surfaces ? most.wave_surfaces->facets() - facets : 0;
+  if (facets == 0) return without("no curved surface is a conductor, coated or bare, or a half-space");
+  return {.on = true,
+          .forced = plan.surfaces.waves.forced(),
+          .what = fmt::format("over {} facets{}", facets,
+                              others == 0 ? "" : fmt::format(", not over {} more of other materials", others)),
+          .when = "in looks where they can change a row by accuracy.tolerance_db"};
+}
+
+std::unique_ptr<Mechanism> make_waves(const BandScene& scene) {
   return scene.curved ? std::make_unique<WavesOverSurfaces>(scene) : nullptr;
 }
 
-void tell_surface_waves(const SolvePlan& plan, const Contribution& waves, std::size_t frequency, RowEvidence& row) {
+// Whether waves run over curved surfaces of every material there is.
+bool waves_run_over_all_materials(const SolvePlan& plan) {
+  const std::vector<Material>& materials = plan.sweep.materials;
+  for (std::uint32_t m = 0; m < materials.size(); ++m)
+    if (!carries_waves(materials, m)) return false;
+  return true;
+}
+
+void tell_waves(const SolvePlan& plan, const Contribution& waves, std::size_t frequency, RowEvidence& row) {
   row.surface_waves = waves.at(0, frequency);
   row.has_surface_waves = waves.ran_at(frequency) && waves_run_over_all_materials(plan);
 }
 
 // The curvatures at corners.
-double surface_waves_bytes(const SolvePlan& plan) {
+double bytes_of_waves(const SolvePlan& plan) {
   double bytes = 0.0;
   for (const BandPlan& band : plan.bands)
     if (has_surface_waves(plan, band))
       bytes += static_cast<double>(band.wave_surfaces->normals()) * (sizeof(glm::dmat3) + sizeof(double));
   return bytes;
+}
+
+std::string remedy_of_smooth_surfaces(const SolvePlan& plan, const MechanismShown& shown) {
+  const std::string none = text_of(Omission::smooth_surfaces).remedy, facets = remedy_of_flat_facets(plan.tubes);
+  if (!plan.sweep.materials.empty()) return none;
+  if (!plan.fringe()) return more_edge_currents;
+  if (!plan.surfaces.waves.possible()) return more_surface_waves;
+  if (!facets.empty()) return facets;
+  return shown.looks_without > 0 ? more_surface_waves : none;
+}
+
+// No current on a curved surface is stronger than on a plane.
+double bound_of_waves(const AmplitudeLimits& limits) { return limits.surface; }
+
+}  // namespace
+
+bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
+  return plan.state("surface_waves").on && wave_facets(plan, band) > 0;
+}
+
+MechanismEntry surface_waves_entry() {
+  return {.name = "surface_waves",
+          .label = "waves over curved surfaces",
+          .key = "surfaces.waves",
+          .budget_key = nullptr,
+          .columns = {{"surface_waves", "waves over curved surfaces (surfaces.waves)", bound_of_waves}},
+          .counts = {"surface_strips"},
+          .state = state_of_waves,
+          .make = make_waves,
+          .bytes = bytes_of_waves,
+          .tell = tell_waves,
+          .remedies = {{Omission::smooth_surfaces, remedy_of_smooth_surfaces}}};
 }
 
 }  // namespace raytube

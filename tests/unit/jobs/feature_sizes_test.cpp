@@ -7,7 +7,7 @@
 #include "output/words/warnings.h"
 #include "scene/sampling.h"
 #include "shapes.h"
-#include "solve/validity.h"
+#include "jobs/warnings/warnings.h"
 
 namespace raytube {
 namespace {

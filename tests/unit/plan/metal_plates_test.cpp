@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "mesh/features/outlines.h"
-#include "plan/metal_plates.h"
+#include "plan/material_edges.h"
 #include "unit/mesh_shapes.h"
 
 namespace raytube::shapes {

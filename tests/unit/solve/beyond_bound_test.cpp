@@ -23,7 +23,7 @@ std::vector<BeyondBound> beyond_bound(EdgeMethod method, double amplitude) {
   std::string kept;
   options.kept.keep = [&](std::size_t, std::string bytes) { kept = std::move(bytes); };
   solve(target, sweep, options);
-  LookResult look = *look_of_bytes(kept, 1);
+  LookResult look = *look_of_bytes(kept, 1, mechanism_list().size());
   look.tubes.bounces.front().front() = ScatteringMatrix{};
   look.tubes.bounces.front().front().at(0, 0) = amplitude;
   options.kept = {{}, [&](std::size_t) { return look_bytes(look); }, {}};

@@ -115,8 +115,9 @@ TEST(MechanismList, ANewOneHasPiecesInAnImageAndIsKept) {
   const LookSolver solver(plan);
   Progress none({});
   const LookResult look = solver.solve(0, none, 1.0);
-  const auto again = look_of_bytes(look_bytes(look), 1);
+  const auto again = look_of_bytes(look_bytes(look), 1, plan.mechanisms.size());
   ASSERT_TRUE(again);
+  EXPECT_FALSE(look_of_bytes(look_bytes(look), 1, mechanism_list().size()));
   EXPECT_EQ(count_named(again->mechanisms.back().counts, "shining_edges"), 12u);
   const LookImage with = image_of_look(plan, 0, 4.0),
                   without = image_of_look(shining.target, shining.sweep, shining.options, 0, 4.0);

@@ -122,7 +122,7 @@ TEST(DirectSweep, OfAWaveRoundASphereHasItsPath) {
   for (std::size_t f = 0; f < swept.size(); ++f) swept[f] = swept[f] - bare[f];
   DirectSweep direct(of.frequency, spherical_basis(of.sweep.looks.front().transmit).radial);
   scattering_pieces(target, of.sweep, 0, of.frequency.at(middle_index(21)), with, 0.02, [&](const ScatteringPiece& piece) {
-    if (piece_names()[piece.mechanism] == "surface_waves") direct.add({piece.place, piece.s, false});
+    if (piece_names(mechanism_list())[piece.mechanism] == "surface_waves") direct.add({piece.place, piece.s, false});
   });
   for (const int p : {0, 1}) EXPECT_GT(correlation(direct.scattering(), swept, p), 0.96);
 }
@@ -142,7 +142,7 @@ TEST(ScatteringCentres, OfATrihedralIsItsApex) {
   });
   const SphericalBasis basis = spherical_basis(of.sweep.looks.front().transmit);
   const ScatteringCentres found = scattering_centres(pieces, {-basis.radial, basis.phi_hat, -basis.theta_hat},
-                                                     {20, 0.06, wavelength(frequency), piece_names()});
+                                                     {20, 0.06, wavelength(frequency), piece_names(mechanism_list())});
   const ScatteringCentre& first = found.centres.front();
   EXPECT_LT(glm::length(first.place), 0.1 * 0.06);
   EXPECT_EQ(first.mechanism(), 2u);  // later bounces

@@ -6,7 +6,7 @@
 
 #include "interaction_bodies.h"
 #include "solve/look_solver.h"
-#include "solve/mechanisms/interaction.h"
+#include "solve/mechanisms/list.h"
 #include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
 

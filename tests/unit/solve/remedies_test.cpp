@@ -1,29 +1,51 @@
 // Remedies say what they cost, and are named only where they help.
-#include "uncertainty/remedies.h"
+#include "solve/remedies.h"
 
 #include <gmock/gmock.h>
+
+#include "shapes.h"
+#include "solve/mechanisms/list.h"
 
 namespace raytube {
 namespace {
 
 using ::testing::StartsWith;
 
-// What a solve of a small target has shown, with a budget of 4.
+const Target& small_target() {
+  static const Target target(build_mesh(shapes::dihedral(0.2, 0.2), 1.0).mesh, {});
+  return target;
+}
+
+// More pairs of an edge and a face than a budget reaches.
+const Target& many_faces() {
+  static const Target target(build_mesh(shapes::icosphere(2, 0.3), 1.0).mesh, {.min_wedge_angle = 1.0 * degree});
+  return target;
+}
+
+// What a solve has shown, with a budget of 4.
 struct Solve {
   std::uint64_t pairs_left_out = 0;
   TruncatedSums truncated{};
   std::uint64_t pairs = 0;
   double left_out = 1.0;
   std::vector<std::uint64_t> hits{};
-  double possible_pairs = 14.0;
   TubeOptions tubes{};
   SurfaceOptions surfaces{};
   bool materials = false, sheets = false;
   double curved_edges = 0.0;
+  const Target& target = small_target();
 
   std::string remedy(Omission omission, const EdgeOptions& edges = {}) const {
-    return remedy_of(omission, {edges, tubes, surfaces, truncated, hits, materials, sheets, curved_edges, possible_pairs,
-                                pairs_left_out, pairs, left_out});
+    Sweep sweep{{10e9}, {{{1.0, 0.2}, {1.0, 0.2}}}};
+    if (materials) sweep.materials.resize(1);
+    if (sheets) sweep.materials[0].kind = MaterialKind::thin_sheet;
+    const SolvePlan plan(target, sweep, {tubes, edges, surfaces});
+    Statistics statistics;
+    statistics.truncated = truncated, statistics.hits = hits;
+    const std::vector<Count> counts{{.what = "interaction_pairs", .count = pairs},
+                                    {"pairs of edge and face", beyond_budget, pairs_left_out}};
+    return remedy_of(omission, plan, statistics,
+                     std::vector<MechanismShown>(plan.mechanisms.size(), {counts, 0, left_out, curved_edges}));
   }
 };
 
@@ -47,8 +69,7 @@ TEST(Remedies, ABudgetIsNotNamedWhereItIsNotWhatIsMissing) {
 
 TEST(Remedies, InteractionThatIsSwitchedOff) {
   EXPECT_EQ(Solve{}.remedy(Omission::interaction, {.interaction = false}), "edges.between = true, at most 5 times the time");
-  Solve vehicle;
-  vehicle.possible_pairs = 8e7;
+  const Solve vehicle{.target = many_faces()};
   EXPECT_THAT(vehicle.remedy(Omission::interaction, {.interaction = false}), StartsWith("none; use a full-wave method"));
 }
 
