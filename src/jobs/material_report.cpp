@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "case/materials/materials.h"
@@ -46,22 +47,9 @@ std::size_t middle_frequency(const std::vector<double>& frequencies) {
   return static_cast<std::size_t>(nearest - frequencies.begin());
 }
 
-const char* kind_text(MaterialKind kind) {
-  switch (kind) {
-    case MaterialKind::conductor:
-      return "pec";
-    case MaterialKind::absorber:
-      return "absorber";
-    case MaterialKind::half_space:
-      return "dielectric";
-    case MaterialKind::coated:
-      return "coated";
-    case MaterialKind::solid:
-      return "solid";
-    default:
-      return "sheet";
-  }
-}
+// What a case file calls them, in the order of MaterialKind.
+constexpr std::array kinds{"pec", "absorber", "dielectric", "solid", "coated", "sheet", "sheet"};
+static_assert(kinds.size() == static_cast<std::size_t>(MaterialKind::thin_sheet) + 1);
 
 // To hundredths, without a sign before zero.
 std::string level_text(const Complex& ratio) {
@@ -73,7 +61,8 @@ std::string response_text(const Material& material, const Sweep& sweep, std::siz
   const double k = wavenumber(sweep.frequencies[frequency]);
   const SurfaceResponse front = response(material, frequency, k, 1.0, false);
   const std::string reflected = level_text(front.reflected.te);
-  std::string text = fmt::format("{}{}, |R| {}", kind_text(material.kind), material.roughness > 0.0 ? ", rough" : "", reflected);
+  std::string text = fmt::format("{}{}, |R| {}", kinds[static_cast<std::size_t>(material.kind)],
+                                 material.roughness > 0.0 ? ", rough" : "", reflected);
   if (!material.transmits()) return text;
   const std::string from_behind = level_text(response(material, frequency, k, 1.0, true).reflected.te);
   if (from_behind != reflected) text += fmt::format(" ({} from behind)", from_behind);

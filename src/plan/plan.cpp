@@ -208,26 +208,9 @@ std::vector<Skipped> skipped_wedges_of(const SolvePlan& plan) {
   return skipped;
 }
 
-void check_all(const SolvePlan& plan) {
-  check_options(plan.sweep, plan.tubes, plan.edges);
-  check_materials(plan.target.faces, plan.sweep);
-  check_antennas(plan.target.mesh, plan.sweep);
-  if (!plan.rays()) check_density(plan.target.mesh, plan.sweep, plan.tubes);
-}
-
 std::shared_ptr<const Sweep> paths_of(const Sweep& sweep, const SolveOptions& options, const std::optional<Ground>& ground) {
   if (!ground) return {};
   return std::make_shared<const Sweep>(sweep_of_paths(sweep, *ground, options.edges.method == EdgeMethod::utd));
-}
-
-std::vector<ThinPlateEdge> thin_plate_edges_of(const SolvePlan& plan) {
-  const bool coats_count = plan.fringe() && plan.edges.materials == MaterialEdgeMethod::fringe;
-  return metal_plate_edges(plan.target.thin_plate_edges, plan.sweep.materials, coats_count);
-}
-
-WedgeSource wedge_source(const SolvePlan& plan) {
-  const Target& target = plan.target;
-  return {target.mesh, target.wedges, target.outlines, plan.thin_plate_edges, target.options.min_wedge_angle};
 }
 
 }  // namespace
@@ -246,12 +229,17 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
       keep_parts(options.keep_parts || ground),
       tell_parts(options.keep_parts),
       mechanisms(list) {
-  check_all(*this);
+  check_options(sweep, tubes, edges);
+  check_materials(target.faces, sweep);
+  check_antennas(target.mesh, sweep);
+  if (!rays()) check_density(target.mesh, sweep, tubes);
   const auto start = std::chrono::steady_clock::now();
   ray_range = ray_range_of(*this);
   bands = bands_of(*this);
-  thin_plate_edges = thin_plate_edges_of(*this);
-  wedge_sets = raytube::wedge_sets(wedge_source(*this), sweep.frequencies);
+  const bool coats_count = fringe() && edges.materials == MaterialEdgeMethod::fringe;
+  thin_plate_edges = metal_plate_edges(target.thin_plate_edges, sweep.materials, coats_count);
+  wedge_sets = raytube::wedge_sets(
+      {target.mesh, target.wedges, target.outlines, thin_plate_edges, target.options.min_wedge_angle}, sweep.frequencies);
   looks = looks_of(*this);
   const bool skips_wedges = tubes.skip && edges.method != EdgeMethod::none;
   skips = {{"looks", "the same as earlier ones", looks.repeated},

@@ -68,70 +68,59 @@ LookImage computed_image(const LookSolver& solver, const SolvePlan& plan, std::s
 
 // --- over ground ---
 
-// Cells of looks that the ground lights, and where they are seen: at their mirror images, in those of the straight look.
-class CellsByGround {
- public:
-  /// `seen`: recentred.
-  CellsByGround(const SolvePlan& plan, const Look& look, const ImageLattice& seen)
-      : seen_(seen), plane_(plan.ground->height - plan.target.mesh.center.z) {
-    const LaunchGrid grid = grid_of_look(plan.target.mesh, look, plan.target.mesh.radius, 1.0, plan.tubes.up);
-    lattice = image_lattice(grid);
-    const dvec2 line = lattice.project(mirrored(point_of(seen, seen.corner))), low = lattice.corner;
-    const dvec2 high = low + dvec2(grid.columns, grid.rows) * lattice.cell;
-    lattice.cell = seen.cell;
-    lattice.corner = line + glm::floor((low - line) / seen.cell) * seen.cell;
-    const dvec2 cells = glm::max(glm::ceil((high - lattice.corner) / seen.cell), dvec2(1.0));
-    lattice.columns = static_cast<std::uint32_t>(cells.x), lattice.rows = static_cast<std::uint32_t>(cells.y);
-  }
+// What looks are lit by way of the ground is seen at its mirror image, in cells of the straight look. Lattices are recentred.
 
-  // Calls put(cell, share) for the cells between whose middles that of this one is seen: in perspective cells are of other sizes.
-  template <class Put>
-  void share_out(std::uint32_t column, std::uint32_t row, Put put) const {
-    const dvec2 middle = seen_.project(mirrored(point_of(lattice, lattice.middle({column, row}))));
-    const dvec2 at = (middle - seen_.corner) / seen_.cell - 0.5, low = glm::floor(at + rounding);
-    const dvec2 high = glm::max(at - low, dvec2(0.0));
-    for (const double u : {0.0, 1.0})
-      for (const double v : {0.0, 1.0}) {
-        const double share = (u == 0.0 ? 1.0 - high.x : high.x) * (v == 0.0 ? 1.0 - high.y : high.y);
-        if (share > rounding) put(seen_.index(seen_.at(seen_.corner + (low + dvec2(u, v) + 0.5) * seen_.cell)), share);
-      }
-  }
+double height_of_ground(const SolvePlan& plan) { return plan.ground->height - plan.target.mesh.center.z; }
 
-  ImageLattice lattice;  // recentred; its lines are those of the mirrored one where both are seen from afar
-
- private:
-  static constexpr double rounding = 1e-13;  // of a cell: what lies on its middle is in it alone
-
-  // At the depth of the middle of the target.
-  static dvec3 point_of(const ImageLattice& lattice, const dvec2& at) { return at.x * lattice.u_hat + at.y * lattice.v_hat; }
-  dvec3 mirrored(const dvec3& point) const { return {point.x, point.y, 2.0 * plane_ - point.z}; }
-
-  const ImageLattice& seen_;
-  double plane_;
-};
-
-void add_cells(const LookImage& path, const PathFactors& factors, LookImage& image) {
-  for (std::size_t i = 0; i < path.cells.size(); ++i) image.cells[i] += factors(path.cells[i]);
+// The mirror image of a place on a lattice, at the depth of the middle of the target.
+dvec3 mirrored(const ImageLattice& lattice, const dvec2& at, double height) {
+  const dvec3 point = at.x * lattice.u_hat + at.y * lattice.v_hat;
+  return {point.x, point.y, 2.0 * height - point.z};
 }
 
-void add_cells(const LookImage& path, const PathFactors& factors, const CellsByGround& cells, LookImage& image) {
-  for (std::uint32_t row = 0; row < path.lattice.rows; ++row)
-    for (std::uint32_t column = 0; column < path.lattice.columns; ++column)
-      cells.share_out(column, row, [&](std::size_t cell, double share) {
-        ScatteringMatrix part = factors(path.cells[path.lattice.index({column, row})]);
-        image.cells[cell] += part *= share;
-      });
+// Its lines are those of the mirrored one where both are seen from afar.
+ImageLattice lattice_by_ground(const SolvePlan& plan, const Look& look, const ImageLattice& seen) {
+  const LaunchGrid grid = grid_of_look(plan.target.mesh, look, plan.target.mesh.radius, 1.0, plan.tubes.up);
+  ImageLattice lattice = image_lattice(grid);
+  const dvec2 line = lattice.project(mirrored(seen, seen.corner, height_of_ground(plan))), low = lattice.corner;
+  const dvec2 high = low + dvec2(grid.columns, grid.rows) * lattice.cell;
+  lattice.cell = seen.cell;
+  lattice.corner = line + glm::floor((low - line) / seen.cell) * seen.cell;
+  const dvec2 cells = glm::max(glm::ceil((high - lattice.corner) / seen.cell), dvec2(1.0));
+  lattice.columns = static_cast<std::uint32_t>(cells.x), lattice.rows = static_cast<std::uint32_t>(cells.y);
+  return lattice;
+}
+
+// Shares S of a cell out between the cells between whose middles it is seen: in perspective cells are of other sizes.
+void add_mirrored(const ImageLattice& lattice, const glm::uvec2& cell, const ScatteringMatrix& s, double height,
+                  LookImage& image) {
+  constexpr double rounding = 1e-13;  // of a cell: what lies on its middle is in it alone
+  const ImageLattice& seen = image.lattice;
+  const dvec2 middle = seen.project(mirrored(lattice, lattice.middle(cell), height));
+  const dvec2 at = (middle - seen.corner) / seen.cell - 0.5, low = glm::floor(at + rounding);
+  const dvec2 high = glm::max(at - low, dvec2(0.0));
+  for (const double u : {0.0, 1.0})
+    for (const double v : {0.0, 1.0}) {
+      const double share = (u == 0.0 ? 1.0 - high.x : high.x) * (v == 0.0 ? 1.0 - high.y : high.y);
+      ScatteringMatrix part = s;
+      if (share > rounding)
+        image.cells[seen.index(seen.at(seen.corner + (low + dvec2(u, v) + 0.5) * seen.cell))] += part *= share;
+    }
 }
 
 // The share of one path.
-void add_path(const LookSolver& solver, const SolvePlan& plan, std::size_t path, const ImageLattice& seen, Progress& progress,
-              LookImage& image) {
+void add_path(const LookSolver& solver, const SolvePlan& plan, std::size_t path, Progress& progress, LookImage& image) {
   const GroundReflections reflections = plan.reflections();
   const PathFactors factors = reflections.factors(path, image_frequency(plan.sweep));
-  std::optional<CellsByGround> by_ground;
-  if (reflections.path(path).lit_by_ground) by_ground.emplace(plan, plan.sweep.looks[path], seen);
-  const LookImage part = computed_image(solver, plan, path, by_ground ? by_ground->lattice : seen, progress);
-  by_ground ? add_cells(part, factors, *by_ground, image) : add_cells(part, factors, image);
+  const bool by_ground = reflections.path(path).lit_by_ground;
+  const ImageLattice lattice = by_ground ? lattice_by_ground(plan, plan.sweep.looks[path], image.lattice) : image.lattice;
+  const LookImage part = computed_image(solver, plan, path, lattice, progress);
+  for (std::uint32_t row = 0; row < lattice.rows; ++row)
+    for (std::uint32_t column = 0; column < lattice.columns; ++column) {
+      const std::size_t cell = lattice.index({column, row});
+      const ScatteringMatrix s = factors(part.cells[cell]);
+      by_ground ? add_mirrored(lattice, {column, row}, s, height_of_ground(plan), image) : void(image.cells[cell] += s);
+    }
   for (std::size_t i = 0; i < part.triangles.size(); ++i) image.triangles[i] += factors(part.triangles[i]);
   for (const ImageEdge& piece : part.edges) image.edges.push_back({piece.begin, piece.end, factors(piece.s)});
 }
@@ -145,7 +134,7 @@ LookImage image_over_ground(const SolvePlan& plan, std::size_t look, const Image
   for (std::size_t path = 0; path < paths; ++path) {
     const auto told = [&](double done) { return callback((static_cast<double>(path) + done) / static_cast<double>(paths)); };
     Progress progress(callback ? told : std::function<bool(double)>());
-    add_path(solver, plan, look * paths + path, seen, progress, image);
+    add_path(solver, plan, look * paths + path, progress, image);
   }
   if (!plan.asked.bistatic) make_image_reciprocal(image);
   return image;

@@ -31,58 +31,38 @@ bool has_frequencies(const LookResult& look, std::size_t count) {
          none_or_all(look.tubes.inside) && std::ranges::all_of(look.mechanisms, fits);
 }
 
-// Puts values of a band where they belong among all.
-class BandScatter {
- public:
-  BandScatter(const BandPlan& band, std::size_t frequencies) : band_(band), frequencies_(frequencies) {}
-
-  template <class Value>
-  void operator()(std::vector<Value>&& part, std::vector<Value>& all) const {
-    if (part.empty()) return;
-    all.resize(frequencies_);
-    for (std::size_t i = 0; i < part.size(); ++i) all[band_.indices[i]] = part[i];
-  }
-
- private:
-  const BandPlan& band_;
-  std::size_t frequencies_;
-};
-
-// Its counts are those of another trace.
-void put_tubes(const BandScatter& scatter, TubeSums part, std::size_t frequencies, TubeSums& all) {
-  for (std::size_t b = 0; b < part.bounces.size(); ++b)
-    scatter(std::move(part.bounces[b]), all.at(static_cast<int>(b), frequencies)), all.hits[b] += part.hits[b];
-  scatter(std::move(part.incoherent), all.incoherent);
-  scatter(std::move(part.inside), all.inside);
-  scatter(std::move(part.error), all.error);
-  part.bounces.clear(), part.incoherent.clear(), part.inside.clear(), part.error.clear();
-  part.coarse.clear(), part.pieces.clear(), part.quadrature.clear();
-  add_look(all.truncated, std::exchange(part.truncated, {}));
-  all.add(part);
-}
-
-void put_contribution(const BandScatter& scatter, Contribution part, Contribution& all) {
-  if (all.s.size() < part.s.size()) all.s.resize(part.s.size());
-  for (std::size_t column = 0; column < part.s.size(); ++column) scatter(std::move(part.s[column]), all.s[column]);
-  scatter(std::move(part.error), all.error);
-  scatter(std::move(part.missing), all.missing);
-  scatter(std::move(part.ran), all.ran);
-  all.most_db = std::max(all.most_db, part.most_db);
-  all.work += part.work;
-  all.reach = std::min(all.reach, part.reach);
-  for (Count& count : part.counts) put(std::move(count), all.counts);
-}
-
 }  // namespace
 
 void put_band(const BandPlan& band, LookResult part, std::size_t frequencies, LookResult& all) {
-  const BandScatter scatter(band, frequencies);
-  put_tubes(scatter, std::move(part.tubes), frequencies, all.tubes);
+  const auto scatter = [&]<class Value>(std::vector<Value>& values, std::vector<Value>& among_all) {
+    if (values.empty()) return;
+    among_all.resize(frequencies);
+    for (std::size_t i = 0; i < values.size(); ++i) among_all[band.indices[i]] = values[i];
+    values.clear();
+  };
+  for (std::size_t b = 0; b < part.tubes.bounces.size(); ++b) {
+    scatter(part.tubes.bounces[b], all.tubes.at(static_cast<int>(b), frequencies));
+    all.tubes.hits[b] += part.tubes.hits[b];
+  }
+  scatter(part.tubes.incoherent, all.tubes.incoherent);
+  scatter(part.tubes.inside, all.tubes.inside);
+  scatter(part.tubes.error, all.tubes.error);
+  part.tubes.bounces.clear(), part.tubes.coarse.clear(), part.tubes.pieces.clear(), part.tubes.quadrature.clear();
+  add_look(all.tubes.truncated, std::exchange(part.tubes.truncated, {}));
+  all.tubes.add(part.tubes);  // its counts, which are those of another trace
   std::ranges::move(part.met, std::back_inserter(all.met));
   std::ranges::copy(part.truncated, std::back_inserter(all.truncated));
   all.mechanisms.resize(part.mechanisms.size());
-  for (std::size_t i = 0; i < part.mechanisms.size(); ++i)
-    put_contribution(scatter, std::move(part.mechanisms[i]), all.mechanisms[i]);
+  for (std::size_t i = 0; i < part.mechanisms.size(); ++i) {
+    Contribution &from = part.mechanisms[i], &to = all.mechanisms[i];
+    if (to.s.size() < from.s.size()) to.s.resize(from.s.size());
+    for (std::size_t column = 0; column < from.s.size(); ++column) scatter(from.s[column], to.s[column]);
+    scatter(from.error, to.error), scatter(from.missing, to.missing), scatter(from.ran, to.ran);
+    to.most_db = std::max(to.most_db, from.most_db);
+    to.work += from.work;
+    to.reach = std::min(to.reach, from.reach);
+    for (Count& count : from.counts) put(std::move(count), to.counts);
+  }
 }
 
 void LookResult::keep_sums_only() {

@@ -53,36 +53,6 @@ ImageLattice divided(ImageLattice lattice, double to_a_metre) {
   return lattice;
 }
 
-// Pieces of one path, the only one without ground.
-class PathPieces {
- public:
-  PathPieces(const SolvePlan& plan, std::size_t path)
-      : center_(plan.target.mesh.center),
-        factor_(to_mesh_origin(plan.target.mesh, plan.sweep.looks[path], plan.sweep.frequencies.front())) {
-    if (!plan.ground) return;
-    const GroundReflections reflections = plan.reflections();
-    factors_ = reflections.factors(path, 0);
-    if (reflections.path(path).seen_by_ground) mirror_ = plan.ground->height - center_.z;
-  }
-
-  /// In recentred coordinates.
-  const std::optional<double>& mirror() const { return mirror_; }
-
-  ScatteringPiece finished(ScatteringPiece piece) const {
-    piece.place += center_;
-    if (factors_) piece.s = (*factors_)(piece.s);
-    make_reciprocal(std::span(&piece.s, 1));
-    piece.s *= factor_;
-    return piece;
-  }
-
- private:
-  dvec3 center_;
-  Complex factor_;
-  std::optional<PathFactors> factors_;
-  std::optional<double> mirror_;
-};
-
 }  // namespace
 
 void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t look, double frequency, const SolveOptions& options,
@@ -95,13 +65,24 @@ void scattering_pieces(const Target& target, const Sweep& sweep, std::size_t loo
   lattice.corner -= lattice.project(target.mesh.center);
   const ImageLattice fine = divided(lattice, edge_pieces_to_a_wavelength / wavelength(frequency));
   const LookSolver solver(plan);
-  for (std::size_t path = 0; path < plan.sweep.looks.size(); ++path) {
-    const PathPieces pieces(plan, path);
+  for (std::size_t path = 0; path < plan.sweep.looks.size(); ++path) {  // one without ground
+    const Complex factor = to_mesh_origin(target.mesh, plan.sweep.looks[path], frequency);
+    std::optional<PathFactors> by_ground;
+    std::optional<double> mirror;  // in recentred coordinates
+    if (plan.ground) {
+      const GroundReflections reflections = plan.reflections();
+      by_ground = reflections.factors(path, 0);
+      if (reflections.path(path).seen_by_ground) mirror = plan.ground->height - target.mesh.center.z;
+    }
+    const auto finish = [&](ScatteringPiece piece) {
+      piece.place += target.mesh.center;
+      if (by_ground) piece.s = (*by_ground)(piece.s);
+      make_reciprocal(std::span(&piece.s, 1));
+      piece.s *= factor;
+      sink(piece);
+    };
     Progress progress(options.progress);
-    run_on_threads(plan.threads, [&] {
-      solver.solve_pieces(
-          path, lattice, fine, progress, [&](const ScatteringPiece& piece) { sink(pieces.finished(piece)); }, pieces.mirror());
-    });
+    run_on_threads(plan.threads, [&] { solver.solve_pieces(path, lattice, fine, progress, finish, mirror); });
   }
 }
 

@@ -14,9 +14,9 @@ namespace {
 // Adds up the rows of paths.
 class PathSum {
  public:
-  explicit PathSum(const SolvePlan& plan) : asked_(plan.asked), paths_(plan.sweep), reflections_(plan.reflections()) {
-    for (std::size_t look = 0; look < paths_.looks.size(); ++look)
-      for (std::size_t f = 0; f < paths_.frequencies.size(); ++f) factors_.push_back(reflections_.factors(look, f));
+  explicit PathSum(const SolvePlan& plan) : asked_(plan.asked), reflections_(plan.reflections()) {
+    for (std::size_t look = 0; look < plan.sweep.looks.size(); ++look)
+      for (std::size_t f = 0; f < asked_.frequencies.size(); ++f) factors_.push_back(reflections_.factors(look, f));
   }
 
   template <class Row>
@@ -44,7 +44,7 @@ class PathSum {
   static void add(const ScatteringMatrix& row, ScatteringMatrix& sum) { sum += row; }
   static void add(const ChannelErrors& row, ChannelErrors& sum) { raytube::add(row, sum); }
 
-  const Sweep &asked_, &paths_;
+  const Sweep& asked_;
   GroundReflections reflections_;
   std::vector<PathFactors> factors_;  // [row along paths]
 };

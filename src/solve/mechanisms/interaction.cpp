@@ -138,14 +138,6 @@ class Interaction : public Mechanism {
   double reach_ = 1.0;
 };
 
-// What takes no part for its size.
-std::vector<Skipped> skipped_for_size(const TooSmall& small, std::uint64_t frequencies) {
-  return {
-      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", frequencies},
-      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
-      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
-}
-
 MechanismState state_of_interaction(const SolvePlan& plan) {
   if (!plan.edges.interaction.possible()) return without("edges.between is false");
   if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
@@ -157,7 +149,10 @@ MechanismState state_of_interaction(const SolvePlan& plan) {
   const TooSmall small = too_small_to_interact(plan.target.mesh, plan.target.wedges, std::ranges::min(frequencies));
   const auto without_large = static_cast<std::uint64_t>(
       std::ranges::count_if(frequencies, [&](double frequency) { return wavelength(frequency) > small.longest; }));
-  std::vector<Skipped> skipped = skipped_for_size(small, without_large);
+  std::vector<Skipped> skipped{
+      {"frequencies without edge-face interaction", "no edge of a wavelength sees a face of a wavelength squared", without_large},
+      {"edges without edge-face interaction", "shorter than a wavelength at the lowest frequency", small.edges},
+      {"faces without edge-face interaction", "smaller than a wavelength squared at the lowest frequency", small.faces}};
   std::erase_if(skipped, [](const Skipped& item) { return item.count == 0; });
   if (without_large == frequencies.size()) {
     MechanismState none = without("no edge is as long as a wavelength, or no face as wide");

@@ -3,11 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include "jobs/warnings/warnings.h"
 #include "mesh/load.h"
 #include "output/words/warnings.h"
 #include "scene/sampling.h"
 #include "shapes.h"
-#include "jobs/warnings/warnings.h"
 
 namespace raytube {
 namespace {
