@@ -17,7 +17,8 @@ std::vector<double> densities_from_coarse_to_fine(std::vector<double> densities,
 /// Throws InputError for a case without tubes.
 void refuse_study_of_rays(const Case& c);
 
-/// How the case is solved, but for tubes.per_wavelength: adaptive tubes have no density to study, so the study is of uniform ones.
+/// How the case is solved, but for tubes.per_wavelength: adaptive tubes have no density to study, so the study is of uniform
+/// ones.
 SolveOptions options_of_study(const Case& c, int threads);
 
 /// Throws InputError now for what the last density would be refused for after hours: of `asked`, and for want of memory. The

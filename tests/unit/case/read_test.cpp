@@ -209,24 +209,11 @@ TEST(CaseRead, LookListBistatic) {
 
 TEST(CaseRead, ResolvedCaseShowsEveryDefault) {
   const std::string json = resolved_case_json(read_text(smallest, {"frequency.ghz=9.4"}));
-  for (const char* part : {"\"title\": \"m\"",
-                           "\"unit\": \"mm\"",
-                           "\"material\": \"pec\"",
-                           "\"ghz\": 9.4",
-                           "\"theta_deg\": 90.0",
-                           "\"mode\": \"adaptive\"",
-                           "\"per_wavelength\": 40.0",
-                           "\"skip\": true",
-                           "\"curved\": \"convex\"",
-                           "\"tolerance_db\": 0.1",
-                           "\"model_share\": 0.25",
-                           "\"max_bounces\": 8",
-                           "\"method\": \"fringe\"",
-                           "\"order\": 3",
-                           "\"receiver_shadow\": false",
-                           "\"thin_sheets\": true",
-                           "\"min_wedge_deg\": 15.0",
-                           "\"plots\": true"})
+  for (const char* part :
+       {"\"title\": \"m\"", "\"unit\": \"mm\"", "\"material\": \"pec\"", "\"ghz\": 9.4", "\"theta_deg\": 90.0",
+        "\"mode\": \"adaptive\"", "\"per_wavelength\": 40.0", "\"skip\": true", "\"curved\": \"convex\"", "\"tolerance_db\": 0.1",
+        "\"model_share\": 0.25", "\"max_bounces\": 8", "\"method\": \"fringe\"", "\"order\": 3", "\"receiver_shadow\": false",
+        "\"thin_sheets\": true", "\"min_wedge_deg\": 15.0", "\"plots\": true"})
     EXPECT_THAT(json, HasSubstr(part));
   EXPECT_EQ(json.find("\"receive\""), std::string::npos);
 }
