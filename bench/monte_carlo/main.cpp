@@ -40,7 +40,7 @@ struct Asked {
   std::vector<std::string> overrides;
   Draws draws;
   int threads = all_threads();
-  std::filesystem::path output = "out";
+  std::filesystem::path output = "monte_carlo";  // never over the results of a run
 };
 
 /// What both came to, row by row; times of one run and of the solver [s].
@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   app.add_option("--repeat", asked.draws.runs, "Independent runs, which give the spread; default 10")
       ->check(CLI::Range(2, 1000000));
   app.add_option("--threads", asked.threads, "Default: all processors")->check(CLI::Range(1, 10000));
-  app.add_option("-o", asked.output, "Folder for rcs.csv and random.csv; default out");
+  app.add_option("-o", asked.output, "Folder for rcs.csv and random.csv; default monte_carlo");
   CLI11_PARSE(app, argc, argv);
   try {
     run(asked);

@@ -213,10 +213,9 @@ std::string cost_text(const Json& data) {
   if (grid.is_null())
     return fmt::format("\ncost\n  looks computed: {}\n  adaptive tubes: {}; the fewer, the quicker, at any frequency\n", looks,
                        count_text(patches, "planar patch", "planar patches"));
-  return fmt::format("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm{}\n  looks computed: {}\n",
+  return fmt::format("\ncost\n  first look: {} x {} tubes of {:.4g} mm x {:.4g} mm\n  looks computed: {}\n",
                      count_at(grid, "columns"), count_at(grid, "rows"), number_at(grid, "du_m") * 1e3,
-                     number_at(grid, "dv_m") * 1e3,
-                     text_at(data["case"]["tubes"], "mode") == "adaptive" ? "; adaptive tubes are mostly far fewer" : "", looks);
+                     number_at(grid, "dv_m") * 1e3, looks);
 }
 
 std::string memory_lines(const Json& data) {

@@ -53,16 +53,16 @@ struct MechanismColumn {
 struct MechanismShown {
   const std::vector<Count>& counts;  // of what it did and left out
   std::uint64_t looks_without = 0;   // computed looks that it was too weak for, or its budget too small
-  double left_out = 0.0;             // share of the squares of what is missing that mechanisms left out for their budgets' sake
+  double left_out = 0.0;             // share of the squares of what it is there for that it left out for its budget's sake
   double curved_edges = 0.0;         // share, by length, of the edges with currents missing or weak that are beside curved faces
 };
 
-/// What makes an omission (uncertainty/omissions.h) less that a mechanism is there for: a key of the case and about how much
+/// How to reduce an omission (uncertainty/omissions.h) that a mechanism is meant to fill: a key of the case and about how much
 /// longer the run will take, or "none ...". The key that switched off what is missing comes first; others are named only where
 /// they make it less by a noticeable share, for at most ten times the time.
 struct MechanismRemedy {
-  Omission omission;
-  std::string (*of)(const SolvePlan&, const MechanismShown&);
+  Omission omission;                                           // that it makes less
+  std::string (*of)(const SolvePlan&, const MechanismShown&);  // the remedy in words
 };
 
 /// A mechanism by name, and what it says.

@@ -59,7 +59,7 @@ std::shared_ptr<const SmoothSurfaces> with_flat_sheets(const SolvePlan& plan, st
 // The surfaces that tubes may see, whatever the wavelength. Null: there are none.
 struct CurvedBodies {
   std::shared_ptr<const SmoothSurfaces> all;    // of a target that bends all of its facets where it is convex, or always
-  std::shared_ptr<const SmoothSurfaces> apart;  // of bodies of a set that stand apart, which bend theirs in any case
+  std::shared_ptr<const SmoothSurfaces> apart;  // of separate bodies of a set, whose facets are curved at every frequency
 };
 
 // By default convex bodies bend their facets, alone or as bodies of a set that stand apart. A mesh of several components is no

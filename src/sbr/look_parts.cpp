@@ -29,9 +29,6 @@ constexpr double bytes_per_batch = 64e6;
 // and less in proportion to their width.
 constexpr double cells_per_face = 20.0, cells_per_wavelength = 20.0, error_of_cells = 0.19;
 
-// Through a solid every triangle is many rays.
-constexpr std::uint32_t triangles_per_solid_tile = 16;
-
 // What the tiles of a part are: so many, each traced by itself.
 struct Tiles {
   std::size_t count;

@@ -45,6 +45,8 @@ inline constexpr std::size_t most_blocks = 256;
 inline constexpr std::uint32_t faces_per_tile = 256;
 /// Between sheets tubes double at every meeting, so that those of few faces are many.
 inline constexpr std::uint32_t faces_per_tile_with_sheets = 8;
+/// Through a solid every triangle is many rays.
+inline constexpr std::uint32_t triangles_per_solid_tile = 16;
 
 /// Bytes of the sums of a tile at most.
 double tile_sum_bytes(int bounces, std::size_t frequencies);

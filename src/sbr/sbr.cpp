@@ -232,7 +232,7 @@ class LookTracer {
   // Cells begin at the usual density; the few narrow tubes among polygons cost little, so they begin where they may do.
   double density_to_begin_with(const Division& division) const {
     const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
-    if (!options_.refines() || !division.polygons || fixed) return first_density(options_);
+    if (!division.polygons || fixed) return first_density(options_);
     return std::min(density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons), densest());
   }
 
@@ -331,11 +331,18 @@ double tubes_between_sheets_bytes(std::size_t frequencies) {
 }
 
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
-                          const TubeOptions& options, bool sheets) {
-  const std::size_t together = sheets ? faces_per_tile_with_sheets : faces_per_tile;
-  if (options.mode == TubeMode::adaptive) return (faces.faces().size() + together - 1) / together;
+                          const TubeOptions& options, std::span<const Material> materials) {
   const double shortest = wavelength(std::ranges::max(frequencies));
-  return Tiling(grid_of_look(tracer.mesh(), look, shortest, options.per_wavelength, options.up)).count();
+  const auto of_cells = [&](double density) {
+    return Tiling(grid_of_look(tracer.mesh(), look, shortest, density, options.up)).count();
+  };
+  if (options.mode == TubeMode::uniform) return of_cells(options.per_wavelength);
+  const bool sheets = std::ranges::any_of(materials, &Material::transmits);
+  const std::size_t count = faces.faces().size(), together = sheets ? faces_per_tile_with_sheets : faces_per_tile;
+  std::size_t tiles = (count + together - 1) / together;
+  if (count > faces_per_tile) tiles = std::max(tiles, of_cells(first_density(options)));  // where cells are cheaper
+  if (any_solid(materials)) tiles = std::max(tiles, tracer.mesh().triangles.size() / triangles_per_solid_tile + 1);
+  return tiles;
 }
 
 }  // namespace raytube

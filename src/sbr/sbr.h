@@ -80,9 +80,9 @@ double block_sum_bytes(std::size_t tiles, int bounces, std::size_t frequencies);
 /// Bytes that the tubes of one tile take at most where they are between sheets, few of which stand behind one another.
 double tubes_between_sheets_bytes(std::size_t frequencies);
 
-/// Tiles of a look: blocks of the launch grid of a look, groups of faces where tubes are adaptive, smaller ones between
-/// sheets.
+/// Tiles that a part of a look has at most: blocks of the launch grid, groups of faces where tubes are adaptive, smaller ones
+/// between sheets, or of triangles that waves enter solids by.
 std::size_t tiles_of_look(const Tracer& tracer, const FaceTree& faces, const Look& look, std::span<const double> frequencies,
-                          const TubeOptions& options, bool sheets);
+                          const TubeOptions& options, std::span<const Material> materials);
 
 }  // namespace raytube

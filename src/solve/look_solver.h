@@ -15,8 +15,8 @@
 
 namespace raytube {
 
-/// Share of a look's progress in a band that the first pass of its tubes reports. The rest is told in equal steps: as the tubes
-/// are done, refined, and as each mechanism is.
+/// Share of a look's progress in a band that the first pass of its tubes reports. The rest is told in equal steps: one
+/// when the tubes are refined, one for each mechanism.
 inline constexpr double first_tubes_share = 0.5;
 
 /// The share of the progress of a look in a band that is left when a mechanism of the plan begins, by its index.

@@ -43,8 +43,7 @@ const Look& widest_look(const TriangleMesh& mesh, const Sweep& sweep, const Tube
 // Groups of sums that a look has at a time.
 std::size_t tiles(const SolvePlan& plan, const Look& look) {
   const Target& target = plan.target;
-  const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
-  return tiles_of_look(target.tracer, target.faces, look, plan.sweep.frequencies, plan.tubes, sheets);
+  return tiles_of_look(target.tracer, target.faces, look, plan.sweep.frequencies, plan.tubes, plan.sweep.materials);
 }
 
 // The most that any look may have.

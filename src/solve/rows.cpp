@@ -27,7 +27,7 @@ Rows::Rows(const SolvePlan& plan, const ModelUncertainty& model, std::vector<dou
       first_(plan.looks.computed.size() + 1),
       following_(sweep_.looks.size()),
       model_squares_(plan.looks.computed.size()),
-      left_out_(plan.looks.computed.size()),
+      left_out_(plan.mechanisms.size(), std::vector<double>(plan.looks.computed.size())),
       account_(plan),
       bounds_(plan, std::move(edge_lengths)),
       beyond_bound_{{"the first bounce"}, {"later bounces"}} {
@@ -58,8 +58,8 @@ void Rows::add(std::size_t index, const LookResult& look) {
   const std::lock_guard lock(mutex_);
   const auto looks = static_cast<double>(following(index).size());
   account_.add(index, look, following(index).size());
-  for (const Contribution& part : look.mechanisms)
-    for (const double missing : part.missing) left_out_[index] += looks * missing * missing;
+  for (std::size_t i = 0; i < look.mechanisms.size(); ++i)
+    for (const double missing : look.mechanisms[i].missing) left_out_[i][index] += looks * missing * missing;
   for (std::size_t f = 0; f < errors.size(); ++f) add_model(index, f, errors[f]);
   for (const std::size_t each : following(index)) {
     for (std::size_t f = 0; f < sweep_.frequencies.size(); ++f) add_row(each, f, look, plan_.looks.sources[each]);
@@ -129,12 +129,14 @@ std::vector<ModelPart> Rows::model_parts() {
   std::vector<double> sums(omissions);
   for (const std::array<double, omissions>& look : model_squares_)
     for (std::size_t part = 0; part < omissions; ++part) sums[part] += look[part];
-  const double of_interaction = sums[static_cast<std::size_t>(Omission::interaction)];
-  const double left_out = std::accumulate(left_out_.begin(), left_out_.end(), 0.0);
   std::vector<MechanismShown> shown;
-  for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i)
-    shown.push_back({account_.counts(i), account_.use(i).looks_without, of_interaction > 0.0 ? left_out / of_interaction : 0.0,
+  for (std::size_t i = 0; i < plan_.mechanisms.size(); ++i) {
+    const std::vector<MechanismRemedy>& remedies = plan_.mechanisms[i].remedies;
+    const double missing = remedies.empty() ? 0.0 : sums[static_cast<std::size_t>(remedies.front().omission)],
+                 left_out = std::accumulate(left_out_[i].begin(), left_out_[i].end(), 0.0);
+    shown.push_back({account_.counts(i), account_.use(i).looks_without, missing > 0.0 ? left_out / missing : 0.0,
                      model_uncertainty_.curved_edges()});
+  }
   std::vector<ModelPart> parts = std::move(result_.model_parts);
   for (std::size_t i = 0; i < omissions; ++i) {
     const auto omission = static_cast<Omission>(i);

@@ -43,7 +43,7 @@ class Rows {
   std::vector<std::size_t> first_,
       following_;  // looks that follow from computed look i: following_[first_[i] ... first_[i + 1] - 1]
   std::vector<std::array<double, omissions>> model_squares_;  // of each computed look: sums over its rows [m^2]
-  std::vector<double> left_out_;  // the same of what mechanisms left out for their budgets' sake [m^2]
+  std::vector<std::vector<double>> left_out_;  // [mechanism][look] squares that it left out for its budget's sake [m^2]
   Account account_;
   PhysicalBounds bounds_;
   std::vector<BeyondBound> beyond_bound_;  // first bounce, later bounces, columns of mechanisms

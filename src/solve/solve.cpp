@@ -39,10 +39,9 @@ std::vector<bool> take_kept(const SolvePlan& plan, const KeptLooks& kept, Progre
   return {known.begin(), known.end()};
 }
 
-// Computes the looks of a shard that are left to this process: by an earlier solve, whose looks come before all others so that
-// the progress tells at what rate these are computed, and by its team. Each new one is handed to kept.keep, each of all to
-// `done`. Looks run side by side, tiles within a look too; every sum is taken in index order, so threads never show in the
-// result.
+// Takes the looks kept from an earlier solve first, so that the progress shows the rate of the new ones; then computes those of
+// the shard that the team hands to this process. Each new look is handed to kept.keep, every look to `done`. Looks run side by
+// side, tiles within a look too; every sum is taken in index order, so threads never show in the result.
 void compute_looks(const SolvePlan& plan, const LookSolver& solver, const Shard& shard,
                    const std::function<bool(double)>& callback, const KeptLooks& kept, WorkTeam* team, const LookDone& done) {
   const std::size_t looks = plan.looks.computed.size();

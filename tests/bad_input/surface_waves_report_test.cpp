@@ -34,7 +34,7 @@ TEST_F(SurfaceWavesReport, SaysWhyThereAreNone) {
   const std::string off = std::string(name) + "off: ";
   EXPECT_THAT(checked("cylinder", " --set surfaces.waves=false"), HasSubstr(off + "surfaces.waves is false\n"));
   EXPECT_THAT(checked("cylinder", " --set edges.method=none"), HasSubstr(off + "they need edge currents"));
-  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(off + "with tubes.curved = \"never\", or tubes that"));
+  EXPECT_THAT(checked("cylinder", " --set tubes.curved=never"), HasSubstr(off + "with tubes.curved = \"never\", or uniform tubes"));
   EXPECT_THAT(checked("powercube"), HasSubstr(off + "no curved surface\n"));
 }
 

@@ -3,7 +3,7 @@
 #include "sbr/beams/current_map.h"
 #include "sbr/beams/spherical_look.h"
 #include "sbr/curved/curved_integral.h"
-#include "sbr/curved/near_facets.h"
+#include "sbr/curved/near_facet.h"
 
 namespace raytube {
 

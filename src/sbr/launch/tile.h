@@ -21,8 +21,8 @@ inline Bounds cell_bounds(const LaunchGrid& grid, std::uint32_t column, std::uin
   return {low, low + dvec2(grid.du, grid.dv)};
 }
 
-/// The sides of a tile in cells: multiples of three, so that no group of the coarse grids is divided, and of the width of a
-/// packet of rays.
+/// The sides of a tile in cells: multiples of three, so that no group of the first coarse grid is divided (those of the second
+/// are, at a tile's ends), and of the width of a packet of rays.
 inline constexpr std::uint32_t tile_columns = 48, tile_rows = 45;
 
 /// The tiles of a grid, numbered row by row; those at its far ends may be smaller.

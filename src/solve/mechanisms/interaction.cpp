@@ -175,7 +175,7 @@ std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
 // Sheets end the waves of edges, and a budget that affords no pair is none.
 void tell_interaction(const SolvePlan& plan, const Contribution& interaction, std::size_t frequency, RowEvidence& row) {
   row.interaction = interaction.at(0, frequency);
-  if (!interaction.missing.empty()) row.left_out = interaction.missing[frequency];
+  if (!interaction.missing.empty()) row.left_out = std::hypot(row.left_out, interaction.missing[frequency]);
   const bool sheets = std::ranges::any_of(plan.sweep.materials, &Material::transmits);
   const bool some_left_out = interaction.out_of_reach() || std::ranges::any_of(interaction.counts, [](const Count& each) {
                                return each.what == pairs_of_edge_and_face && each.why == beyond_budget && each.count > 0;

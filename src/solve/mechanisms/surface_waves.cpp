@@ -42,8 +42,8 @@ void keep_points_apart(SurfaceRay& ray, double step) {
 // as they are on spheres, and of edges beside curved faces; no bound.
 class SurfaceWaveProspect {
  public:
-  // Of so many edges that what their strips over curved faces change adds up at random, unless the body is convex. The longest
-  // wavelength of the band tells which of their faces are narrow.
+  // Unless the body is convex it has so many edges that the changes from their strips over curved faces add up at random. The
+  // longest wavelength of the band tells which of their faces are narrow.
   explicit SurfaceWaveProspect(const BandScene& scene)
       : mesh_(scene.plan.target.mesh),
         curved_(find_curved_parts(mesh_, scene.plan.target.options.min_wedge_angle)),
