@@ -29,7 +29,7 @@ REASONS = {  # as the program words them
     "d": "materials change with frequency|what a medium reflects changes with angle and frequency",
     "e": 'edges.method "utd" adds up rays|"utd" has no tubes|needs currents, but edges.method|edges.method is "utd"',
     "f": 'edges.method is "none"|need edge currents',
-    "g": "the others see facets|facets are the surface itself",
+    "g": "see facets|facets are the surface itself",
     "h": "so powers do not add up",
     "i": "do not include the scattering by roughness|incoherent power is not computed",
 }
