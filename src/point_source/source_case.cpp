@@ -22,7 +22,8 @@ constexpr std::array<std::string_view, 14> source_case_keys = {
     "title",          "scene.box_m",   "scene.parts.name", "scene.parts.mesh", "scene.parts.unit", "scene.parts.surface",
     "source.point_m", "source.models", "source.rays",      "source.seed",      "source.wall",      "source.max_reflections",
     "source.counted", "output.plots"};
-constexpr std::array<std::string_view, 4> run_sections = {"target", "look", "frequency", "materials"};
+constexpr std::array<std::string_view, 11> run_sections = {"target", "look",     "frequency", "materials", "tubes", "accuracy",
+                                                           "edges",  "surfaces", "receive",   "radar",     "ground"};
 constexpr std::array<std::string_view, 6> wall_names = {"-x", "+x", "-y", "+y", "-z", "+z"};
 constexpr std::array<std::string_view, 2> surface_names = {"pec", "absorber"};
 constexpr double most_rays = 1e8, most_seed = 9007199254740992.0;  // 2^53: whole numbers of a case file are doubles

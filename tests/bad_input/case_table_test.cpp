@@ -201,7 +201,8 @@ std::vector<BadRow> value_rows() {
       set("up_of_two_numbers", "tubes.up=[0,1]", "tubes.up must be a list of three numbers"),
       set("up_too_long", "tubes.up=[1e200,1e200,0]", "tubes.up"),
       set("up_too_short", "tubes.up=[0,0,1e-200]", "tubes.up"),
-      set("clip_is_unknown", "tubes.clip=false", "tubes.clip"),
+      set("clip_is_gone", "tubes.clip=false",
+          "unknown key \"tubes.clip\"; adaptive tubes always end exactly at edges; remove it"),
       set("skip_is_a_number", "tubes.skip=1", "tubes.skip must be true or false, without quotes"),
       set("curved_unknown", "tubes.curved=concave", "tubes.curved \"concave\" is unknown; write"),
       set("tolerance_zero", "accuracy.tolerance_db=0", "accuracy.tolerance_db must be greater than 0"),
@@ -326,6 +327,8 @@ std::vector<BadRow> word_rows() {
           "unknown key \"look.zenith\"; choose among look.theta_deg, look.phi_deg, look.azimuth_deg, look.elevation_deg, "
           "look.looks_csv"),
       set("name_far_from_all", "solver.zenith=4", "unknown key \"solver.zenith\"; choose among title, target, materials, freq"),
+      set("name_with_another_unit", "radar.range_mm=4", "did you mean \"radar.range_m\", which has another unit?"),
+      set("slip_beside_a_unit", "tubes.max_bounce=4", "did you mean \"tubes.max_bounces\"?"),
       set("name_without_unit", "look.theta=4", "unknown key \"look.theta\"; did you mean \"look.theta_deg\"?"),
       set("part_far_from_all", "target.parts.wing=pec", "target.parts.wing is not a name in the mesh; choose among mesh.off"),
   };

@@ -54,6 +54,18 @@ TEST_F(Warnings, StepsTooWideForTheLobes) {
   EXPECT_EQ(told().size(), 0u);
 }
 
+// A target that stays a perfect conductor by a forgotten line is no target of that material.
+TEST_F(Warnings, AMaterialOfNothing) {
+  const std::string coat = "--set materials.paint.kind=absorber --set look.phi_deg=[0] ";
+  const Outcome outcome = raytube("run case.toml" + metres + coat);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.complaint, HasSubstr("raytube: materials.paint: nothing is made of it, so it has no effect; write "
+                                           "target.material = \"paint\" or target.parts, or remove it\n"));
+  EXPECT_EQ(told().size(), 1u);
+  EXPECT_EQ(raytube("run case.toml" + metres + coat + "--set target.material=paint").code, 0);
+  EXPECT_EQ(told().size(), 0u);
+}
+
 TEST_F(Warnings, FiveDegreesAt94GHz) {
   EXPECT_EQ(raytube("check case.toml" + metres + five_degrees + "--set frequency.ghz=94").code, 0);
   EXPECT_THAT(output(), HasSubstr("steps of 5 deg in phi are too wide for this target's lobes, which require 0.18 deg or less"));

@@ -71,11 +71,19 @@ std::string choice_beside(std::string_view key, std::span<const std::string_view
   return joined(keys.empty() ? sections : keys, ", ");
 }
 
+// Asks whether the nearest key was meant; a key that ends in another unit, such as range_mm for range_m, is no slip of the pen.
+std::string nearest_text(std::string_view key, std::string_view nearest) {
+  constexpr std::array<std::string_view, 12> units = {"m", "mm", "cm", "um", "km", "in", "ft", "deg", "rad", "ghz", "mhz", "hz"};
+  const auto end_of = [](std::string_view name) { return name.rfind('_') + 1; };
+  const auto has_unit = [&](std::string_view name) { return end_of(name) > 0 && contains(units, name.substr(end_of(name))); };
+  const bool other_unit = has_unit(key) && has_unit(nearest) && key.substr(0, end_of(key)) == nearest.substr(0, end_of(nearest));
+  return fmt::format("did you mean \"{}\"{}?", nearest, other_unit ? ", which has another unit" : "");
+}
+
 std::string remedy_for_key(std::string_view key, const KnownKeys& known) {
   if (const std::string_view remedy = known.remedy_for_word ? known.remedy_for_word(key) : ""; !remedy.empty())
     return std::string(remedy);
-  if (const std::string_view nearest = nearest_key(key, known.names); !nearest.empty())
-    return fmt::format("did you mean \"{}\"?", nearest);
+  if (const std::string_view nearest = nearest_key(key, known.names); !nearest.empty()) return nearest_text(key, nearest);
   return "choose among " + choice_beside(key, known.names);
 }
 
@@ -114,7 +122,7 @@ void check_keys_among(const CaseValue& table, std::span<const std::string_view> 
       const std::string_view nearest = nearest_key(key, known);
       reject(table.items[i], fmt::format("unknown key \"{}.{}\"; {}", path, quotable(key),
                                          nearest.empty() ? "choose among " + joined(known, ", ")
-                                                         : fmt::format("did you mean \"{}.{}\"?", path, nearest)));
+                                                         : nearest_text(path + '.' + key, fmt::format("{}.{}", path, nearest))));
     }
 }
 

@@ -18,8 +18,9 @@ struct Remedy {
   std::string_view says;
 };
 
-constexpr std::array<Remedy, 14> remedies = {
-    {{" azimuth azimuth_deg az az_deg aspect aspect_deg ", "write look.azimuth_deg (or look.phi_deg), from +x towards +y"},
+constexpr std::array<Remedy, 15> remedies = {
+    {{" clip ", "adaptive tubes always end exactly at edges; remove it, or write tubes.mode = \"uniform\""},
+     {" azimuth azimuth_deg az az_deg aspect aspect_deg ", "write look.azimuth_deg (or look.phi_deg), from +x towards +y"},
      {" elevation elevation_deg el el_deg ", "write look.elevation_deg, or look.theta_deg = 90 - elevation, the angle from +z"},
      {" scale scaling scale_factor units mesh_unit mesh_scale ",
       "target.unit is the length of one mesh unit; write \"m\", \"cm\", \"mm\", \"um\", \"in\" or \"ft\" there"},

@@ -1,8 +1,12 @@
 #include "jobs/warnings/warnings.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
+#include "case/materials/materials.h"
+#include "core/text.h"
 #include "jobs/warnings/idle_keys.h"
 #include "mesh/features/feature_sizes.h"
 #include "mesh/soundness/open_bodies.h"
@@ -40,6 +44,11 @@ std::vector<std::string> warnings_of(const Case& c, const SolvePlan& plan, std::
   const MeshUnit unit{c.metres_per_unit, c.unit};
   const Target& target = plan.target;
   std::vector<std::string> sentences = c.warnings;
+  for (const std::string& name : unused_materials(c))
+    sentences.push_back(fmt::format(
+        "materials.{0}: nothing is made of it, so it has no effect; write target.material = \"{0}\" or target.parts, or "
+        "remove it",
+        quotable(name)));
   std::ranges::copy(open_body_warnings(find_open_bodies(target.mesh, target.components_enclosed, plan.sweep.materials), unit),
                     std::back_inserter(sentences));
   std::ranges::copy(thick_layer_warnings(find_thick_layers(target.mesh, plan.sweep.materials), plan.sweep.materials, unit),
