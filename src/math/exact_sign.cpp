@@ -64,7 +64,7 @@ class ExactSum {
   int sign() const { return size_ == 0 ? 0 : parts_[size_ - 1] > 0.0 ? 1 : -1; }
 
  private:
-  // Three such numbers have a product of 1e-270 to 1e270, whose digits go down to 1e-302.
+  // Products of three such numbers are below 1e270, and their last bits, of 159, above 1e-318: doubles go down to 5e-324.
   static bool is_moderate(double x) { return std::abs(x) > 1e-90 && std::abs(x) < 1e90; }
 
   // Six products, of differences in two parts each, of four numbers each.

@@ -79,9 +79,11 @@ class WaysOfTube {
   };
   // What leaves a surface at a point; `behind` is empty where nothing goes on.
   struct Leaving {
-    Fields reflected{};
+    dvec3 direction;
+    double path;  // [m]
+    Fields reflected;
     std::optional<Fields> behind{};
-    double arriving = 1.0;  // power of the wave there if all that it has met were conductors
+    double unobstructed = 1.0;  // power that the wave would have there if all that it has met were conductors
   };
 
   const TriangleMesh& mesh() const { return scene_.tracer.mesh(); }
@@ -95,10 +97,18 @@ class WaysOfTube {
       if (hit.from_inside) return end(way, TubeEnd::lost, hit.distance);
       if (met(way) == max_bounces_) return end(way, TubeEnd::truncated, hit.distance);
       const dvec3 point = ray.origin + hit.distance * ray.direction;
-      const std::uint32_t arriving = beam;
-      beam = beams_.child(arriving, mesh().triangle_patch[hit.triangle], at_);
-      const Leaving leaving = leaving_at(arriving, beam, point);
-      const TubeBounce bounce = bounce_at(beam, hit.triangle, point, leaving);
+      beam = beams_.child(beam, mesh().triangle_patch[hit.triangle], at_);
+      const Leaving leaving = leaving_at(beam, point);
+      const Patch& plane = beams_.patch(beam);
+      const TubeBounce bounce{hit.triangle,
+                              beams_.patch_index(beam),
+                              point,
+                              beams_.from_behind(beam) ? -plane.normal : plane.normal,
+                              leaving.direction,
+                              leaving.path,
+                              leaving.reflected,
+                              power(leaving.reflected) / leaving.unobstructed,
+                              leaving.behind.has_value()};
       ways_[way].bounces.push_back(bounce);
       if (bounce.goes_on && ways_.size() < most_) part(way, ray.direction, beams_.through(beam), leaving);
       ray = {bounce.point, bounce.direction_out, bounce.patch};
@@ -108,23 +118,21 @@ class WaysOfTube {
     }
   }
 
-  Leaving leaving_at(std::uint32_t arriving, std::uint32_t node, const dvec3& point) const {
+  Leaving leaving_at(std::uint32_t node, const dvec3& point) const {
     const Beam& beam = beams_.beam(node);
     const std::uint32_t through = beams_.through(node);
     if (!spherical_) {
-      Leaving leaving{field_of(beam)};
+      Leaving leaving{beam.direction, beam.path + glm::dot(beam.direction, point) + to_origin_, field_of(beam)};
       if (through != no_index) leaving.behind = field_of(beams_.beam(through));
       return leaving;
     }
-    const AntennaRay wave = spherical_->wave(beams_.beam(arriving), point);
-    const Fields whole{ComplexVector{wave.field[0]}, {wave.field[1]}};
-    if (!beam.met) {
-      const AntennaRay after = spherical_->wave(beam, point);
-      return {{ComplexVector{after.field[0]}, {after.field[1]}}, {}, power(whole)};
-    }
+    const AntennaRay wave = spherical_->wave(beam, point);
+    Leaving leaving{wave.direction, wave.path, {ComplexVector{wave.field[0]}, {wave.field[1]}}};
+    leaving.unobstructed = power(leaving.reflected);
+    if (!beam.met) return leaving;
     AntennaRay ray = spherical_->wave_at_first(beam, point);
     const LeavingWaves waves = leaving_waves(surfaces_, *beam.met, ray, receive_);
-    Leaving leaving{waves.reflected.front().field, {}, power(whole)};
+    leaving.reflected = waves.reflected.front().field;
     if (through != no_index && raytube::amplitude(waves.transmitted) > least_amplitude)
       leaving.behind = waves.transmitted.front().field;
     return leaving;
@@ -132,25 +140,6 @@ class WaysOfTube {
 
   static Fields field_of(const Beam& beam) {
     return beam.spectrum ? beam.spectrum->front().field : Fields{ComplexVector{beam.field[0]}, {beam.field[1]}};
-  }
-
-  TubeBounce bounce_at(std::uint32_t node, std::uint32_t triangle, const dvec3& point, const Leaving& leaving) const {
-    const Beam& beam = beams_.beam(node);
-    const Patch& plane = beams_.patch(node);
-    TubeBounce bounce{triangle,
-                      beams_.patch_index(node),
-                      point,
-                      beams_.from_behind(node) ? -plane.normal : plane.normal,
-                      beam.direction,
-                      beam.path + glm::dot(beam.direction, point) + to_origin_,
-                      leaving.reflected,
-                      beam.met || !spherical_ ? power(leaving.reflected) / leaving.arriving : 1.0,
-                      leaving.behind.has_value()};
-    if (spherical_) {
-      const AntennaRay wave = spherical_->wave(beam, point);
-      bounce.direction_out = wave.direction, bounce.path = wave.path;
-    }
-    return bounce;
   }
 
   int met(std::size_t way) const { return ways_[way].parting.met + static_cast<int>(ways_[way].bounces.size()); }
@@ -167,7 +156,7 @@ class WaysOfTube {
     const TubeTrace& from = ways_[way];
     const TubeBounce& sheet = from.bounces.back();
     TubeTrace behind{from.column, from.row, from.center, sheet.point, direction};
-    behind.parting = {way, met(way), *leaving.behind, power(*leaving.behind) / leaving.arriving};
+    behind.parting = {way, met(way), *leaving.behind, power(*leaving.behind) / leaving.unobstructed};
     begins_.push_back({{sheet.point, direction, sheet.patch}, beam});
     ways_.push_back(std::move(behind));
   }
