@@ -41,25 +41,18 @@ double steepest_lean(double crease) { return std::sin(std::min(most_creases * cr
 }  // namespace
 
 SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, double max_crease, double max_rise)
-    : SmoothSurfaces(mesh, find_chords(mesh, max_crease), max_crease, max_rise) {}
+    : SmoothSurfaces(mesh, find_chords(mesh, max_crease), nullptr, max_crease, max_rise) {}
 
 SmoothSurfaces::SmoothSurfaces(const SmoothSurfaces& others, double max_crease, double max_rise)
     : SmoothSurfaces(others.mesh_, others.has_chords_of(max_crease) ? others.chords_ : find_chords(others.mesh_, max_crease),
-                     max_crease, max_rise) {}
+                     others.sides_->max_crease == max_crease ? others.sides_ : nullptr, max_crease, max_rise) {}
 
-SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise)
+SmoothSurfaces::SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, std::shared_ptr<const Sides> sides,
+                               double max_crease, double max_rise)
     : mesh_(mesh),
       chords_(std::move(chords)),
-      steepest_(mesh.vertices.size(), steepest_lean(max_crease)),
-      region_(chords_->region),
-      one_sided_(chords_->one_sided) {
-  std::vector<double> cosines(mesh.vertices.size(), std::cos(max_crease));
-  for (const Bend& bend : mesh.bends)
-    for (const std::uint32_t v : {bend.low, bend.high}) {
-      steepest_[v] = std::max(steepest_[v], steepest_lean(bend.angle));
-      cosines[v] = std::min(cosines[v], std::cos(bend.angle));
-    }
-  add_tips(cosines);
+      sides_(sides ? std::move(sides) : find_sides(mesh, *chords_, max_crease)),
+      region_(chords_->region) {
   keep_flat(max_rise);
   count_facets();
 }
@@ -80,11 +73,43 @@ std::shared_ptr<const SmoothSurfaces::Chords> SmoothSurfaces::find_chords(const 
 }
 
 // Round a vertex of a smooth surface no facet leans off the normal by more than one crease turns; round the tip of a cone all do.
-void SmoothSurfaces::add_tips(const std::vector<double>& least_cosines) {
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    for (int corner = 0; corner < 3; ++corner)
-      if (glm::dot(mesh_.patch_of(t).normal, normal(t, corner)) < least_cosines[mesh_.triangles[t][corner]])
-        one_sided_[normal_index(t, corner)] = true;
+std::shared_ptr<const SmoothSurfaces::Sides> SmoothSurfaces::find_sides(const TriangleMesh& mesh, const Chords& chords,
+                                                                        double max_crease) {
+  auto sides = std::make_shared<Sides>(
+      Sides{max_crease, std::vector<double>(mesh.vertices.size(), steepest_lean(max_crease)), chords.one_sided, {}});
+  std::vector<double> cosines(mesh.vertices.size(), std::cos(max_crease));
+  for (const Bend& bend : mesh.bends)
+    for (const std::uint32_t v : {bend.low, bend.high}) {
+      sides->steepest[v] = std::max(sides->steepest[v], steepest_lean(bend.angle));
+      cosines[v] = std::min(cosines[v], std::cos(bend.angle));
+    }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t normal = chords.corner_normal[3 * std::size_t{t} + corner];
+      if (glm::dot(mesh.patch_of(t).normal, chords.normals[normal]) < cosines[mesh.triangles[t][corner]])
+        sides->one_sided[normal] = true;
+    }
+  find_bends(mesh, chords, *sides);
+  return sides;
+}
+
+void SmoothSurfaces::find_bends(const TriangleMesh& mesh, const Chords& chords, Sides& sides) {
+  const auto is_curved = [](std::uint32_t region) { return region != no_index; };
+  if (std::ranges::none_of(chords.region, is_curved)) return;
+  sides.bends.resize(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!is_curved(chords.region[t])) continue;
+    const Triangle& corners = mesh.triangles[t];
+    const auto end = [&](int c) {
+      const std::uint32_t normal = chords.corner_normal[3 * std::size_t{t} + c];
+      return SideEnd{chords.normals[normal], sides.one_sided[normal]};
+    };
+    for (int c = 0; c < 3; ++c) {
+      const int next = (c + 1) % 3;
+      sides.bends[t][c] = bend_of(mesh.vertices[corners[next]] - mesh.vertices[corners[c]], end(c), end(next),
+                                  std::max(sides.steepest[corners[c]], sides.steepest[corners[next]]));
+    }
+  }
 }
 
 void SmoothSurfaces::keep_components(const std::vector<bool>& kept) {
@@ -136,8 +161,8 @@ double SmoothSurfaces::rise(std::uint32_t triangle) const {
 bool SmoothSurfaces::is_doubtful(std::uint32_t triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
   const auto leans = [&](int corner, const dvec3& side) {
-    return !one_sided_[normal_index(triangle, corner)] &&
-           std::abs(glm::dot(normal(triangle, corner), side)) > steepest_[t[corner]] * glm::length(side);
+    return !sides_->one_sided[normal_index(triangle, corner)] &&
+           std::abs(glm::dot(normal(triangle, corner), side)) > sides_->steepest[t[corner]] * glm::length(side);
   };
   for (int c = 0; c < 3; ++c) {
     const int next = (c + 1) % 3;
@@ -172,14 +197,6 @@ double SmoothSurfaces::boundary_length() const {
       if (region_[t] != no_index && on_boundary(t, c))
         sum += glm::distance(mesh_.vertices[mesh_.triangles[t][c]], mesh_.vertices[mesh_.triangles[t][(c + 1) % 3]]);
   return sum;
-}
-
-dvec3 SmoothSurfaces::bend(std::uint32_t triangle, int corner) const {
-  const Triangle& t = mesh_.triangles[triangle];
-  const int next = (corner + 1) % 3;
-  const auto end = [&](int c) { return SideEnd{normal(triangle, c), one_sided_[normal_index(triangle, c)]}; };
-  return bend_of(mesh_.vertices[t[next]] - mesh_.vertices[t[corner]], end(corner), end(next),
-                 std::max(steepest_[t[corner]], steepest_[t[next]]));
 }
 
 namespace {
@@ -229,10 +246,6 @@ SurfacePoint BentFacet::over(const dvec3& r) const {
   const dvec3 normal = glm::cross(along_1(l), along_2(l));
   const double size = glm::length(normal);
   return {point(l), normal / size, size / std::sqrt(square)};
-}
-
-BentFacet SmoothSurfaces::facet(std::uint32_t triangle) const {
-  return {mesh_.corners(triangle), {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
 }
 
 LocalSurface SmoothSurfaces::at(const dvec3& origin, const dvec3& direction, std::uint32_t triangle) const {

@@ -100,8 +100,9 @@ class SmoothSurfaces {
   /// Whether the side from `corner` of a triangle to the next one bounds its surface.
   bool on_boundary(std::uint32_t triangle, int corner) const { return chords_->boundary[3 * std::size_t{triangle} + corner]; }
 
-  /// How far the surface bends off that side: the point at fraction x of the side lies at its chord minus x (1 - x) times this.
-  dvec3 bend(std::uint32_t triangle, int corner) const;
+  /// How far the surface bends off that side of a triangle with a region: the point at fraction x of the side lies at its chord
+  /// minus x (1 - x) times this.
+  const dvec3& bend(std::uint32_t triangle, int corner) const { return sides_->bends[triangle][static_cast<std::size_t>(corner)]; }
 
   /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
   const dvec3& normal(std::uint32_t triangle, int corner) const { return chords_->normals[normal_index(triangle, corner)]; }
@@ -113,7 +114,7 @@ class SmoothSurfaces {
   std::size_t normals() const { return chords_->normals.size(); }
 
   /// The surface over a triangle with a region.
-  BentFacet facet(std::uint32_t triangle) const;
+  BentFacet facet(std::uint32_t triangle) const { return {mesh_.corners(triangle), sides_->bends[triangle]}; }
 
   /// The surface where the line of a ray (unit direction) meets it, over a triangle with a region. Flat with the facet's plane
   /// where the surface turns away from the ray although the facet does not.
@@ -132,18 +133,27 @@ class SmoothSurfaces {
 
   static std::shared_ptr<const Chords> find_chords(const TriangleMesh& mesh, double max_crease);
   static void find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane, Chords& chords);
-  SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, double max_crease, double max_rise);
+  /// What follows from how steep a crease of tessellation may be, too.
+  struct Sides {
+    double max_crease;                        // [rad]
+    std::vector<double> steepest;             // [vertex] of the leans of sides that are chords, a sine
+    std::vector<bool> one_sided;              // [normal]
+    std::vector<std::array<dvec3, 3>> bends;  // [triangle], empty if none has a region
+  };
+
+  static std::shared_ptr<const Sides> find_sides(const TriangleMesh& mesh, const Chords& chords, double max_crease);
+  static void find_bends(const TriangleMesh& mesh, const Chords& chords, Sides& sides);
+  SmoothSurfaces(const TriangleMesh& mesh, std::shared_ptr<const Chords> chords, std::shared_ptr<const Sides> sides,
+                 double max_crease, double max_rise);
   bool has_chords_of(double max_crease) const;
-  void add_tips(const std::vector<double>& least_cosines);  // [vertex]
   bool is_doubtful(std::uint32_t triangle) const;
   void keep_flat(double max_rise);
   void count_facets();
 
   const TriangleMesh& mesh_;
   std::shared_ptr<const Chords> chords_;
-  std::vector<double> steepest_;  // [vertex] of the leans of sides that are chords, a sine
+  std::shared_ptr<const Sides> sides_;
   std::vector<std::uint32_t> region_;
-  std::vector<bool> one_sided_;  // [normal]
   std::size_t facets_ = 0;
   double rise_ = 0.0;
 };
