@@ -1,15 +1,13 @@
 #include "mesh/smooth/curvature_field.h"
 
-#include <cmath>
-
 #include "mesh/model/geometry.h"
 
 namespace raytube {
 
+// The determinant of what the matrix does within the tangent plane: n . adj(M) n.
 double SurfaceFrame::gaussian() const {
-  const dvec3 across = std::abs(normal.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-  const dvec3 u = glm::normalize(glm::cross(normal, across)), v = glm::cross(normal, u);
-  return curvature(u) * curvature(v) - glm::dot(u, normal_turn * v) * glm::dot(v, normal_turn * u);
+  const glm::dmat3& m = normal_turn;
+  return glm::dot(normal, normal.x * glm::cross(m[1], m[2]) + normal.y * glm::cross(m[2], m[0]) + normal.z * glm::cross(m[0], m[1]));
 }
 
 CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& surfaces)

@@ -19,9 +19,10 @@ struct NodeCurrent {
   Complex end, soft_end;
 };
 
-NodeCurrent current_at(const StripNode& node, const StripWave& wave, double k, Complex hard, Complex axial, Complex soft) {
-  const double sine = wave.incidence.sin_cone, root_rate = std::sqrt(2 * k) * sine, root = root_rate * node.root;
-  const EdgeFactors factors = edge_factors(std::cbrt(k) * node.bend);
+NodeCurrent current_at(const StripNode& node, const StripWave& wave, double root_rate, double cube_root_of_k, Complex hard,
+                       Complex axial, Complex soft) {
+  const double root = root_rate * node.root;
+  const EdgeFactors factors = edge_factors(cube_root_of_k * node.bend);
   const Complex area = std::polar(node.area, 0.5 * pi * node.caustics);
   const Complex across = area * factors.hard * hard * (root_rate * root);
   const Complex along = area * factors.hard * axial * (root_rate * wave.incidence.cos_cone);
@@ -94,7 +95,7 @@ class StripSumInBins {
   }
 
   StripEnd add_curved(const StripPath& path) {
-    const double k = wavenumber_, rate = std::sqrt(2 * k) * path.wave.incidence.sin_cone;
+    const double k = wavenumber_, rate = std::sqrt(2 * k) * path.wave.incidence.sin_cone, cube_root_of_k = std::cbrt(k);
     NodeCurrent before;
     for (std::size_t first = 0; first < path.nodes.size(); first += lanes) {
       const std::size_t count = std::min(lanes, path.nodes.size() - first);
@@ -103,7 +104,7 @@ class StripSumInBins {
       const Strip::Currents currents = path.strip.currents(root);
       for (std::size_t i = 0; i < count; ++i) {
         const StripNode& node = path.nodes[first + i];
-        const NodeCurrent here = current_at(node, path.wave, k, currents.hard[i], currents.axial[i], currents.soft[i]);
+        const NodeCurrent here = current_at(node, path.wave, rate, cube_root_of_k, currents.hard[i], currents.axial[i], currents.soft[i]);
         if (first + i > 0) {
           const StripNode& last = path.nodes[first + i - 1];
           at(0.5 * (last.path + node.path)).add_step(before, here, node.root - last.root, k * last.path, k * node.path);

@@ -15,6 +15,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
       sampling_(sampling),
       geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, start, direction),
       piece_{start, start.l, direction},
+      piece_to_(target.surfaces.facet(start.triangle).point(start.l)),
       at_(start.l) {
   stand_at(start.l, 0.0);
 }
@@ -39,9 +40,10 @@ bool GeodesicMarch::march_to(double distance) {
 // The arc over a chord c of curvature kappa is c (1 + (kappa c)^2 / 24) long.
 bool GeodesicMarch::next_piece() {
   for (GeodesicPiece piece; geodesic_.next(piece);) {
-    const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
-    const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
+    const dvec3 to = target_.surfaces.facet(piece.from.triangle).point(piece.to);
+    const double chord = glm::distance(piece_to_, to);
     piece_ = piece;
+    piece_to_ = to;
     if (chord <= 0.0) continue;
     const double turn = curvature_ * chord;
     piece_start_ = piece_end_;

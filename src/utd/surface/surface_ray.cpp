@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace raytube {
@@ -20,7 +21,7 @@ dvec3 Geodesic::normal() const {
   const std::array<double, 3> l = all_three(at_.l);
   dvec3 sum(0.0);
   for (int c = 0; c < 3; ++c) sum += l[c] * curvatures_.normal(at_.triangle, c);
-  return glm::normalize(sum);
+  return sum;
 }
 
 // How the barycentric coordinates change per metre along a vector of the facet's plane.
@@ -51,9 +52,9 @@ bool Geodesic::next(GeodesicPiece& piece) {
   constexpr int most_around_a_vertex = 64;
   if (ended_ || standing_ > most_around_a_vertex) return false;
   const dvec3 n = normal(), plane = mesh_.patch_of(at_.triangle).normal;
-  const double facing = glm::dot(n, plane);
-  tangent_ = glm::normalize(tangent_ - glm::dot(tangent_, n) * n);
-  if (facing < 0.2) return false;  // normals that have nothing to do with the facet
+  const double square = glm::dot(n, n), facing = glm::dot(n, plane);
+  tangent_ = glm::normalize(tangent_ - (glm::dot(tangent_, n) / square) * n);
+  if (facing < 0.2 * std::sqrt(square)) return false;  // normals that have nothing to do with the facet
   const dvec3 direction = glm::normalize(tangent_ - (glm::dot(tangent_, plane) / facing) * n);
   const dvec2 rate = barycentric(direction);
   const Exit way = exit(rate);

@@ -40,7 +40,7 @@ class Geodesic {
   Exit exit(const dvec2& rate) const;
   void enter(int corner, double share);
   dvec2 barycentric(const dvec3& along) const;
-  dvec3 normal() const;
+  dvec3 normal() const;  // not of unit length
 
   const TriangleMesh& mesh_;
   const SmoothSurfaces& surfaces_;
