@@ -55,7 +55,9 @@ def main():
     for name, contour, reference, xis in (("dark", DARK, straight(-118, 6), np.linspace(0, 10, 21)), ("lit", LIT, straight(-155, 15), np.linspace(-5, -1e-9, 21))):
         points = hyperbola(**contour)
         print(f"// Error {error(points, reference, xis):.0e}.\ninline constexpr std::array<Point, {len(points[0])}> {name}{{{{")
-        print(",\n".join("{" + ", ".join("{%.15g, %.15g}" % (v.real, v.imag) for v in row) + "}" for row in zip(*points)) + "}};\n")
+        for row in zip(*points):
+            print("    {" + ", ".join("{%.10g, %.10g}" % (v.real, v.imag) for v in row) + "},")
+        print("}};\n")
     print("}  // namespace raytube::fock_contours")
 
 
