@@ -75,12 +75,20 @@ class Use {
   Kind kind_ = Kind::where_it_counts;
 };
 
+/// Which waves run from corner to corner along an edge, from edge order 2 on.
+struct CornerWaveOptions {
+  bool plates = true;     // along edges of plane plates
+  bool thin_ends = true;  // along the ends of thin bodies, and along the sharp edges between them
+  bool solids = true;     // along edges of solids
+};
+
 /// What edges add, and how much work it may take.
 struct EdgeOptions {
   EdgeMethod method = EdgeMethod::fringe;  // what edges add
   int order = 3;                           // edges in a row that a current passes, 1 to 3; 1 takes every face as semi-infinite
   Use interaction;                  // edges light other surfaces; by default where its budget reaches half of what is expected
   double interaction_budget = 4.0;  // work that this may take in a look, in units of all its other work; 0: none
+  CornerWaveOptions corners{};      // what runs along edges
   bool receiver_shadow = false;     // an edge hidden from the receiver does not count
   MaterialEdgeMethod materials = MaterialEdgeMethod::fringe;  // what edges of other materials add
   double utd_range = 0.0;  // of transmitter and receiver with method utd [m]; 0: default_ray_range
@@ -90,6 +98,9 @@ struct EdgeOptions {
 struct SurfaceOptions {
   Use waves;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe. By default in
               // looks to which they may add tolerance_db
+  bool rounded_edges = true;  // where waves run, sharp bends between flatter flanks are edges of a rounded section
+  bool flat_tips = true;      // and so are the tips in which two of them meet
+  bool round_tips = true;     // where waves run, tips of cones send them back
 };
 
 /// Which creases of a mesh are edges: what a Target is made with.

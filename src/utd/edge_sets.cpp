@@ -41,7 +41,7 @@ EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
   for (const std::size_t index : set.indices) set.frequencies.push_back(setup_.frequencies[index]);
   if (!setup_.skip_enclosed) set.wedges = all_in_the_open(*set.wedges);
   if (setup_.fringe.order == 1) return set;
-  set.corners = std::make_shared<CornerWaves>(*set.wedges);
+  set.corners = std::make_shared<CornerWaves>(*set.wedges, setup_.corners);
   if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, *set.wedges);
   return set;
 }

@@ -26,6 +26,7 @@ struct EdgeSetup {
   bool material_edges = true;             // whether edges of materials count
   bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
   const CurvedTarget* curved = nullptr;   // if waves over curved surfaces count
+  CornerWaveOptions corners{};            // which waves run along edges
   FringeOptions fringe{};                 // continue_by_images is set where edges illuminate other faces
 };
 

@@ -40,6 +40,9 @@ void visit_edge_keys(Edges& edges, Wedges& wedges, bool has_materials, Visit&& v
   visit(CaseKey{"edges.order", {1, 3}}, edges.order);
   visit(CaseKey{"edges.between"}, edges.interaction);
   visit(CaseKey{"edges.between_budget", at_least_zero}, edges.interaction_budget);
+  visit(CaseKey{"edges.plate_corners"}, edges.corners.plates);
+  visit(CaseKey{"edges.solid_corners"}, edges.corners.solids);
+  visit(CaseKey{"edges.thin_ends"}, edges.corners.thin_ends);
   visit(CaseKey{"edges.receiver_shadow"}, edges.receiver_shadow);
   visit(CaseKey{"edges.thin_sheets"}, wedges.thin_plates);
   visit(CaseKey{"edges.min_wedge_deg", {.least = 0, .most = 180, .below = true}, "degrees", "", degree}, wedges.min_wedge_angle);
@@ -60,6 +63,9 @@ void visit_edge_keys(Edges& edges, Wedges& wedges, bool has_materials, Visit&& v
 template <class Surfaces, class Visit>
 void visit_surface_keys(Surfaces& surfaces, Visit&& visit) {
   visit(CaseKey{"surfaces.waves"}, surfaces.waves);
+  visit(CaseKey{"surfaces.rounded_edges"}, surfaces.rounded_edges);
+  visit(CaseKey{"surfaces.flat_tips"}, surfaces.flat_tips);
+  visit(CaseKey{"surfaces.round_tips"}, surfaces.round_tips);
 }
 
 }  // namespace raytube

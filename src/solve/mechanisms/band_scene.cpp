@@ -29,6 +29,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
   setup.material_edges = plan.edges.materials == MaterialEdgeMethod::fringe;
   setup.skip_enclosed = plan.tubes.skip;
   setup.curved = scene.curved ? &*scene.curved : nullptr;
+  setup.corners = plan.edges.corners;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, false};
   return setup;
 }
@@ -36,7 +37,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
 std::optional<CurvedTarget> curved_target(const SolvePlan& plan, const BandPlan& band, std::span<const Material> materials) {
   if (!has_surface_waves(plan, band)) return {};
   return std::optional<CurvedTarget>(std::in_place, plan.target.tracer, *band.wave_surfaces, band.convexity.no_reflection,
-                                     materials, band.frequencies);
+                                     materials, band.frequencies, plan.surfaces.rounded_edges);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ double bytes_of_edges(const SolvePlan& plan) {
   double bytes = 0.0;
   for (const WedgeSet& set : plan.wedge_sets) {
     if (!set.as_given()) bytes += static_cast<double>(set.wedges->size() * sizeof(Wedge)) * (1.0 + outlines_per_wedges);
-    if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges).bytes());
+    if (plan.edges.order > 1) bytes += static_cast<double>(CornerWaves(*set.wedges, plan.edges.corners).bytes());
   }
   return bytes;
 }

@@ -75,14 +75,17 @@ class SurfaceWaveProspect {
 class WavesOverSurfaces : public Mechanism {
  public:
   explicit WavesOverSurfaces(const BandScene& scene)
-      : scene_(scene), frequencies_(scene.band.frequencies), tips_(find_tips(*scene.curved)), cones_(tips_.begin(), tips_.end()) {
+      : scene_(scene),
+        frequencies_(scene.band.frequencies),
+        tips_(scene.plan.surfaces.round_tips ? find_tips(*scene.curved) : std::vector<Tip>()),
+        cones_(tips_.begin(), tips_.end()) {
     std::map<double, std::vector<Nose>> noses;
     for (const double frequency : frequencies_) {
       const auto [found, is_new] = noses.try_emplace(longest_nose(frequency));
       if (is_new) found->second = scene.curved->short_noses(found->first);
       rims_.push_back(rim_pieces(found->second, wavenumber(frequency)));
       const long band = band_of(frequency);
-      if (!flat_tips_.contains(band))
+      if (scene.plan.surfaces.flat_tips && !flat_tips_.contains(band))
         flat_tips_.try_emplace(band, find_flat_tips(*scene.curved, wavelength(middle_of_band(band))));
     }
     if (!scene.plan.surfaces.waves.forced()) prospect_.emplace(scene);
@@ -120,7 +123,8 @@ class WavesOverSurfaces : public Mechanism {
       const double k = wavenumber(frequencies[i]);
       StripPlaces* of_image = in_image && places.wavenumber == i ? &places : nullptr;
       found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, k, of_image);
-      found.scattering[i] += flat_tips_.at(band_of(frequencies[i])).scattering(*scene_.curved, rim_look, k, of_image);
+      if (const auto flat = flat_tips_.find(band_of(frequencies[i])); flat != flat_tips_.end())
+        found.scattering[i] += flat->second.scattering(*scene_.curved, rim_look, k, of_image);
     }
     add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
     if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));

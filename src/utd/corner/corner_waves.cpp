@@ -97,11 +97,12 @@ class CornerWaves::Finder {
   WedgeEnds ends_;
 };
 
-CornerWaves::CornerWaves(std::span<const Wedge> wedges) : edges_(wedges.size()), solids_(wedges) {
+CornerWaves::CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions& kinds)
+    : edges_(wedges.size()), solids_(wedges, kinds.solids) {
   Finder finder(wedges);
   std::vector<std::uint32_t> longest_first;
-  for (std::uint32_t i = 0; i < wedges.size(); ++i) edges_[i] = finder.edge(i);
-  find_thin(wedges);
+  for (std::uint32_t i = 0; kinds.plates && i < wedges.size(); ++i) edges_[i] = finder.edge(i);
+  if (kinds.thin_ends) find_thin(wedges);
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
     if (edges_[i]) longest_first.push_back(i);
   std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });

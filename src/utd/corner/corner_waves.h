@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 
+#include "scene/options.h"
 #include "utd/corner/sheet_corner.h"
 #include "utd/corner/solid_edges.h"
 #include "utd/corner/thin_ends.h"
@@ -31,7 +32,7 @@ namespace raytube {
 class CornerWaves {
  public:
   /// Edges that radiate; they must not be needed after that.
-  explicit CornerWaves(std::span<const Wedge> wedges);
+  explicit CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions& kinds = {});
 
   /// Whether edge `wedge` has any.
   bool run_along(std::uint32_t wedge) const { return wedge < edges_.size() && (edges_[wedge] || solids_[wedge]); }

@@ -142,7 +142,8 @@ class SolidEdges::Finder {
   WedgeEnds ends_;
 };
 
-SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {
+SolidEdges::SolidEdges(std::span<const Wedge> wedges, bool wanted) : edges_(wedges.size()) {
+  if (!wanted) return;
   Finder finder(wedges);
   for (std::vector<std::uint32_t>& body : finder.bodies()) {
     if (body.size() > most_edges) continue;

@@ -56,8 +56,8 @@ struct SolidEdge {
 class SolidEdges {
  public:
   /// Of a body with more than `most_shapes` only the corners of the longest edges have waves, of one with more than `most_edges`
-  /// edges none. What other bodies there are does not count.
-  explicit SolidEdges(std::span<const Wedge> wedges);
+  /// edges none. What other bodies there are does not count. None at all unless they are `wanted`.
+  explicit SolidEdges(std::span<const Wedge> wedges, bool wanted = true);
 
   const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
   /// Of the corners, once they are solved.

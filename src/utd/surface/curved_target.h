@@ -17,9 +17,10 @@ namespace raytube {
 struct CurvedTarget {
   /// Keeps references to the first two and the materials. `is_convex`: nothing stands in the light of a surface that is turned
   /// to it. `some_materials` are those of the mesh, at `frequencies`; rounded edges are those at the lowest of these and above,
-  /// none without any.
+  /// none without any, nor
+  /// unless `rounded_edges`.
   CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex,
-               std::span<const Material> some_materials = {}, std::span<const double> frequencies = {})
+               std::span<const Material> some_materials = {}, std::span<const double> frequencies = {}, bool rounded_edges = true)
       : tracer(a_tracer),
         surfaces(some_surfaces),
         curvatures(tracer.mesh(), surfaces),
@@ -27,7 +28,7 @@ struct CurvedTarget {
         materials(some_materials),
         impedances(materials, frequencies),
         lowest(lowest_wavenumber(frequencies)),
-        noses(find_noses(tracer.mesh(), surfaces, curvatures, lowest)),
+        noses(rounded_edges ? find_noses(tracer.mesh(), surfaces, curvatures, lowest) : std::vector<Nose>()),
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
