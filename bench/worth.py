@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """What each mechanism of edges and curved surfaces is worth: S with all of them and with one left out, against full wave.
 
-    bench/worth.py PROGRAM [-o TABLE.md]
+    bench/worth.py PROGRAM [-o docs/theory/worth.md]
 
 Bodies: tests/data/mom (own method of moments) and tests/data/tips.csv (bodies of revolution). A mechanism claims the bodies of which it
 changes S by more than 1e-3 of the peak. Error: root mean square of |S - S_full wave| over all looks, of VV and HH, in wavelengths; dB: of
 the looks within 20 dB of the peak of their cut. Time: of all looks of the body, in processor time, with it over without it.
 """
 import argparse
+import collections
 import csv
 import math
 import pathlib
@@ -134,14 +135,18 @@ def errors(found, expected, cuts):
     return result
 
 
+def cuts_of(rows):
+    """The cut of every row: its own column, or its theta where phi varies there; of all others one in elevation."""
+    count = collections.Counter(r["theta_deg"] for r in rows)
+    return [r.get("cut") or (r["theta_deg"] if count[r["theta_deg"]] > 2 else "elevation") for r in rows]
+
+
 def measure(program):
     """Rows (key, body, errors without, errors with, time with over without)."""
     for name, mesh, rows, unit in bodies():
         with tempfile.TemporaryDirectory() as folder:
             job = Job(program, pathlib.Path(folder), mesh, rows)
-            expected, cuts = [amplitudes(r, unit) for r in rows], [r.get("cut", r["theta_deg"]) if "ka" not in r else "" for r in rows]
-            if len({r["phi_deg"] for r in rows}) == 1:
-                cuts = [""] * len(rows)
+            expected, cuts = [amplitudes(r, unit) for r in rows], cuts_of(rows)
             peak = max(abs(s) for e in expected for s in e)
             whole, time = job.run()
             yield "", name, errors(whole, expected, cuts), None, 1.0
@@ -168,10 +173,10 @@ def report(rows):
     for key, label in MECHANISMS.items():
         mine = [r for r in rows if r[0] == key]
         gains = sum(better(r[2], r[3]) for r in mine)
-        lines += [f"### {label[0].upper()}{label[1:]} (`{key}`)", "", f"Better on {gains} of {len(mine)} bodies.", ""]
+        lines += [f"## {label[0].upper()}{label[1:]} (`{key}`)", "", f"Better on {gains} of {len(mine)} bodies.", ""]
         lines += ["| body | S/λ, VV | dB | S/λ, HH | dB | time |", "|---|---|---|---|---|---|"]
         lines += [line(*r[1:]) for r in mine] + [""]
-    lines += ["### All bodies", "", "| body | S/λ, VV | dB | S/λ, HH | dB |", "|---|---|---|---|---|"]
+    lines += ["## All bodies", "", "| body | S/λ, VV | dB | S/λ, HH | dB |", "|---|---|---|---|---|"]
     for key, name, found, _, _ in rows:
         if not key:
             lines.append(f"| {name} | " + " | ".join(f"{e[0]:.3f} | {e[1]:.1f}" for e in found) + " |")
@@ -181,15 +186,18 @@ def report(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="raytube")
-    parser.add_argument("-o", "--output", help="file of the tables; default: the terminal")
+    parser.add_argument("-o", "--output", help="file of the tables, whose text before them stays; default: the terminal")
     given = parser.parse_args()
     rows = []
     for row in measure(given.program):
         rows.append(row)
         if given.output:
             print(row[1], row[0] or "all", *("%.4f %.2f" % e for e in row[2]), flush=True)
-    text = report(rows)
-    pathlib.Path(given.output).write_text(text) if given.output else print(text)
+    if not given.output:
+        return print(report(rows))
+    page = pathlib.Path(given.output)
+    before = page.read_text().split("\n## ", 1)[0] + "\n" if page.exists() else ""
+    page.write_text(before + report(rows))
 
 
 if __name__ == "__main__":

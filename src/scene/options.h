@@ -99,7 +99,7 @@ struct SurfaceOptions {
   Use waves;  // currents run smoothly into the dark over curved surfaces, and on in it; with edges.method fringe. By default in
               // looks to which they may add tolerance_db
   bool rounded_edges = true;  // where waves run, sharp bends between flatter flanks are edges of a rounded section
-  bool flat_tips = true;      // and so are the tips in which two of them meet
+  bool flat_tips = true;      // where two rounded edges meet, waves along them go back as from the corner of a sheet
   bool round_tips = true;     // where waves run, tips of cones send them back
 };
 

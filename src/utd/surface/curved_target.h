@@ -16,9 +16,8 @@ namespace raytube {
 
 struct CurvedTarget {
   /// Keeps references to the first two and the materials. `is_convex`: nothing stands in the light of a surface that is turned
-  /// to it. `some_materials` are those of the mesh, at `frequencies`; rounded edges are those at the lowest of these and above,
-  /// none without any, nor
-  /// unless `rounded_edges`.
+  /// to it. `some_materials` are those of the mesh, at `frequencies`; `rounded_edges`, if wanted, are those at the lowest of
+  /// these and above, none without any.
   CurvedTarget(const Tracer& a_tracer, const SmoothSurfaces& some_surfaces, bool is_convex,
                std::span<const Material> some_materials = {}, std::span<const double> frequencies = {}, bool rounded_edges = true)
       : tracer(a_tracer),

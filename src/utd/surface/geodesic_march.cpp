@@ -37,7 +37,6 @@ bool GeodesicMarch::march_to(double distance) {
   return !lost();
 }
 
-// The arc over a chord c of curvature kappa is c (1 + (kappa c)^2 / 24) long.
 bool GeodesicMarch::next_piece() {
   for (GeodesicPiece piece; geodesic_.next(piece);) {
     const dvec3 to = target_.surfaces.facet(piece.from.triangle).point(piece.to);
@@ -45,9 +44,8 @@ bool GeodesicMarch::next_piece() {
     piece_ = piece;
     piece_to_ = to;
     if (chord <= 0.0) continue;
-    const double turn = curvature_ * chord;
     piece_start_ = piece_end_;
-    piece_end_ += chord * (1.0 + turn * turn / 24.0);
+    piece_end_ += arc_over(chord, curvature_);
     return true;
   }
   return false;

@@ -13,6 +13,12 @@ std::array<double, 3> all_three(const dvec2& l) { return {1.0 - l.x - l.y, l.x, 
 
 }  // namespace
 
+// c (1 + (kappa c)^2 / 24) where kappa c is small.
+double arc_over(double chord, double curvature) {
+  const double turn = curvature * chord;
+  return chord * std::min(1.0 + turn * turn / 24.0, pi / 2);
+}
+
 Geodesic::Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
                    const FacetPoint& start, const dvec3& direction)
     : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), at_(start), tangent_(direction) {}

@@ -436,7 +436,7 @@ class SurfaceLook {
     const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
     const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
     if (chord <= 0.0) return true;
-    const double turn = strip.end.curvature * chord, length = chord * (1.0 + turn * turn / 24.0);
+    const double length = arc_over(chord, strip.end.curvature);
     const StripPoint last = at(facet, {piece.from.triangle, piece.to}, piece.direction, side);
     for (double left = 1.0; left > 0.0;) {
       const double limit = step_limit(strip, last.curvature);

@@ -55,6 +55,13 @@ TEST(GeodesicMarch, StepsDoNotMatter) {
   EXPECT_NEAR(fine.bend(), coarse.bend(), 0.01 * fine.bend());
 }
 
+// At a sliver a curvature of 1e6 made 10 km of a chord of a centimetre, and a strip stood there for ever.
+TEST(GeodesicMarch, ArcsAreNoLongerThanHalfACircle) {
+  EXPECT_EQ(arc_over(0.1, 0.0), 0.1);
+  EXPECT_NEAR(arc_over(0.1, 1.0), 2 * std::asin(0.05), 1e-7);  // the next term, 3 x^5 / 640
+  EXPECT_LE(arc_over(0.1, -1e6), 0.1 * pi / 2 * (1 + 1e-12));
+}
+
 TEST(GeodesicMarch, StandsAtTheEndOfTheSurface) {
   // Along a cylinder's mantle, 4 high: from its middle it is 2 to the rim, where strips are as wide as ever.
   const Target target(build_mesh(shapes::cylinder(1.0, 4.0, 48), 1.0).mesh);
