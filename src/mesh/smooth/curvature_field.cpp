@@ -7,7 +7,8 @@ namespace raytube {
 // The determinant of what the matrix does within the tangent plane: n . adj(M) n.
 double SurfaceFrame::gaussian() const {
   const glm::dmat3& m = normal_turn;
-  return glm::dot(normal, normal.x * glm::cross(m[1], m[2]) + normal.y * glm::cross(m[2], m[0]) + normal.z * glm::cross(m[0], m[1]));
+  return glm::dot(normal,
+                  normal.x * glm::cross(m[1], m[2]) + normal.y * glm::cross(m[2], m[0]) + normal.z * glm::cross(m[0], m[1]));
 }
 
 CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& surfaces)
@@ -26,6 +27,10 @@ CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& s
     if (areas[i] > 0.0) turns_[i] *= 1.0 / areas[i];
 }
 
+// Of the square of a facet's sides, added to what determines its curvature (Tikhonov 1963): where it is h wide over sides of
+// length l, less is told by 1e-10 (l / h)^2 of itself, and a sliver without width tells nothing.
+constexpr double ridge = 1e-10;
+
 // Least squares over the three sides: the turn along each is the difference of the normals at its ends.
 glm::dmat3 CurvatureField::of_facet(std::uint32_t triangle) const {
   const Triangle& corners = mesh_.triangles[triangle];
@@ -38,7 +43,7 @@ glm::dmat3 CurvatureField::of_facet(std::uint32_t triangle) const {
     const dvec3 side = mesh_.vertices[corners[next]] - mesh_.vertices[corners[c]];
     const dvec3 turn = normal(triangle, next) - normal(triangle, c);
     const double x = glm::dot(side, u), y = glm::dot(side, v), p = glm::dot(turn, u), q = glm::dot(turn, v);
-    left += glm::dmat3(x * x, x * y, 0, x * y, x * x + y * y, x * y, 0, x * y, y * y);
+    left += glm::dmat3(x * x, x * y, 0, x * y, x * x + y * y, x * y, 0, x * y, y * y) + glm::dmat3(ridge * glm::dot(side, side));
     right += dvec3(x * p, y * p + x * q, y * q);
   }
   const dvec3 form = glm::inverse(left) * right;

@@ -22,7 +22,8 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
 
 dvec3 GeodesicMarch::position() const { return target_.surfaces.facet(piece_.from.triangle).point(at_); }
 
-bool GeodesicMarch::lost() const { return std::abs(width_.width) >= widest_march; }
+// No number is lost, too: widths at a sliver may overflow.
+bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_march); }
 
 bool GeodesicMarch::march_to(double distance) {
   while (piece_end_ < distance) {
