@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "scene/frequency_bands.h"
-#include "utd/fringe/near_edges.h"
 #include "utd/interaction/pair_price.h"
 #include "utd/wedge/near_look.h"
 
@@ -153,15 +152,8 @@ FringeOptions EdgeSets::options(const Set& set) const {
   return options;
 }
 
-EdgeLookResult EdgeSets::scattering(const SetPart& part, const Look& look, const Radar& radar,
-                                    std::span<const SurfaceArrival> arrivals) const {
-  const EdgeScene here = scene(part.set, part.over_curved);
-  const FringeOptions how = options(part.set);
-  const SweepSubset subset{part.frequencies, part.indices};
-  const SurfaceLight light = part.over_curved ? SurfaceLight{arrivals, part.indices} : SurfaceLight{};
-  if (!look.far()) return fringe_scattering_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, how, light);
-  if (screens_) return screened_fringe_scattering(here, look, subset, how);
-  return fringe_scattering(here, look, part.frequencies, how, light);
+EdgeLook EdgeSets::look_of(const Look& look, const Radar& radar, std::span<const double> frequencies) const {
+  return {look, radar, setup_.tracer.mesh(), frequencies};
 }
 
 EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const {
@@ -170,7 +162,13 @@ EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const 
   if (setup_.fringe.order > 1) all.higher.resize(setup_.frequencies.size());
   all.windowed.resize(setup_.frequencies.size());
   for (const Set& set : sets_)
-    for (const SetPart& part : parts_of(set, waves)) put(part.indices, scattering(part, look, radar, waves.arrivals), all);
+    for (const SetPart& part : parts_of(set, waves)) {
+      const SurfaceLight light = part.over_curved ? SurfaceLight{waves.arrivals, part.indices} : SurfaceLight{};
+      put(part.indices,
+          fringe_scattering(scene(set, part.over_curved), look_of(look, radar, part.frequencies),
+                            {part.frequencies, part.indices}, options(set), light),
+          all);
+    }
   return all;
 }
 
@@ -181,12 +179,8 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, co
       const auto found = std::ranges::find(part.indices, request.frequency_index);
       if (found == part.indices.end()) continue;
       const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
-      const EdgeScene here = scene(set, part.over_curved);
-      const SweepSubset subset{part.frequencies, part.indices};
-      if (!look.far())
-        return fringe_pieces_near(here, AntennaPair(look, radar, setup_.tracer.mesh().center), subset, in_part, options(set));
-      if (screens_) return screened_fringe_pieces(here, look, subset, in_part, options(set));
-      return fringe_pieces(here, look, part.frequencies, in_part, options(set));
+      return fringe_pieces(scene(set, part.over_curved), look_of(look, radar, part.frequencies), {part.frequencies, part.indices},
+                           in_part, options(set));
     }
   return {};
 }
@@ -197,19 +191,13 @@ std::vector<ImageEdge> EdgeSets::arrival_pieces(const Look& look, const Radar& r
   for (const Set& set : sets_) {
     const auto found = std::ranges::find(set.indices, request.frequency_index);
     if (found == set.indices.end()) continue;
-    const TriangleMesh& mesh = setup_.tracer.mesh();
-    std::optional<AntennaPair> antennas;
-    std::optional<NearLook> near;
-    if (!look.far()) {
-      antennas.emplace(look, radar, mesh.center);
-      near.emplace(near_antennas(*antennas), wavenumber(sampling_frequency(set.frequencies)), mesh.radius);
-    }
+    const EdgeLook here = look_of(look, radar, set.frequencies);
     for (const SurfaceArrival& arrival : arrivals) {
       std::vector<ScatteringMatrix> s(set.frequencies.size());
-      const LookVectors here = near ? near->at(arrival.position) : look_vectors(look);
       add_arrivals(scene(set, true), here, set.frequencies, options(set), {std::span(&arrival, 1), set.indices}, s);
-      const dvec3 place =
-          request.by_path ? PathPlace{here.scattered}.at(arrival.start, arrival.position, arrival.path) : arrival.position;
+      const dvec3 place = request.by_path
+                              ? PathPlace{here.at(arrival.position).scattered}.at(arrival.start, arrival.position, arrival.path)
+                              : arrival.position;
       pieces.push_back({place, place, s[found - set.indices.begin()]});
     }
   }
@@ -222,12 +210,8 @@ std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, const Radar& ra
   for (const Set& set : sets_) {
     FringeOptions keeping = options(set);
     keeping.rays = &rays;
-    const SurfaceLight light{arrivals, set.indices};
-    if (look.far())
-      fringe_scattering(scene(set, true), look, set.frequencies, keeping, light);
-    else
-      fringe_scattering_near(scene(set, true), {look, radar, setup_.tracer.mesh().center}, {set.frequencies, set.indices},
-                             keeping, light);
+    fringe_scattering(scene(set, true), look_of(look, radar, set.frequencies), {set.frequencies, set.indices}, keeping,
+                      {arrivals, set.indices});
   }
   return rays;
 }

@@ -9,7 +9,7 @@
 #include "mesh/model/face_tree.h"
 #include "utd/corner/corner_waves.h"
 #include "utd/fringe/edges.h"
-#include "utd/fringe/screened_edges.h"
+#include "utd/fringe/material_edges.h"
 #include "utd/interaction/edge_face_interaction.h"
 #include "utd/interaction/interaction_groups.h"
 
@@ -117,8 +117,7 @@ class EdgeSets {
     std::vector<double> frequencies{};
   };
   std::vector<SetPart> parts_of(const Set& set, const WavesAtEdges& waves) const;
-  EdgeLookResult scattering(const SetPart& part, const Look& look, const Radar& radar,
-                            std::span<const SurfaceArrival> arrivals) const;
+  EdgeLook look_of(const Look& look, const Radar& radar, std::span<const double> frequencies) const;
   EdgeScene scene(const Set& set, bool over_curved) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;

@@ -58,6 +58,7 @@ struct Wedge {
   double thickness() const { return std::abs(glm::dot(thickness_vector, faces[0].normal)); }  // of a thin plate, else 0 [m]
   double interior_angle() const { return (2.0 - n) * pi; }                                    // metal side [rad]
   double length() const { return glm::length(end - start); }                                  // [m]
+  dvec3 at(double fraction) const { return start + fraction * (end - start); }                  // a point of it
 };
 
 /// All wedges, convex and concave, whose faces differ from a plane by at least `min_wedge_angle` [rad]: |pi - interior| >= it.

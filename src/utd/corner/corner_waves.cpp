@@ -300,29 +300,10 @@ dvec3 CornerWaves::place(std::uint32_t wedge, const dvec3& towards) const {
   return 0.5 * (first + last - length * towards);
 }
 
-void CornerWaves::add_edge(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits,
-                           std::span<const double> frequencies, std::span<ScatteringMatrix> sum) const {
-  if (!edges_[wedge]) return add_solid(*solids_[wedge], share, visits, frequencies, sum);
-  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share, visits, frequencies, sum);
-}
-
-void CornerWaves::add_edge(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
-                           std::span<ScatteringMatrix> sum) const {
-  const auto visit = [&](const dvec3& corner) {
-    return Visit{look, -glm::dot(look.incident, corner), glm::dot(look.scattered, corner)};
-  };
-  const std::array<dvec3, 2> corners = corners_of(wedge);
-  add_edge(wedge, share, {visit(corners[0]), visit(corners[1])}, frequencies, sum);
-}
-
 void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
                       std::span<ScatteringMatrix> sum) const {
-  add_edge(wedge, share * part(wedge, visits[0].look.incident), visits, frequencies, sum);
-}
-
-void CornerWaves::add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
-                      std::span<ScatteringMatrix> sum) const {
-  add_edge(wedge, share * part(wedge, look.incident), look, frequencies, sum);
+  if (!edges_[wedge]) return add_solid(*solids_[wedge], share, visits, frequencies, sum);
+  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share, visits, frequencies, sum);
 }
 
 }  // namespace raytube

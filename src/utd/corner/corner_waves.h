@@ -56,16 +56,7 @@ class CornerWaves {
 
   /// sum[f] += `share` times S [m] of the waves along the edge of `wedge`, both ways, at each frequency [Hz]; `visits` of
   /// corners_of().
-  void add_edge(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
-                std::span<ScatteringMatrix> sum) const;
-  /// The same with antennas at infinity.
-  void add_edge(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
-                std::span<ScatteringMatrix> sum) const;
-  /// That of a share of the wedge.
   void add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
-           std::span<ScatteringMatrix> sum) const;
-  /// The same with antennas at infinity.
-  void add(std::uint32_t wedge, double share, const LookVectors& look, std::span<const double> frequencies,
            std::span<ScatteringMatrix> sum) const;
 
   /// Of its corners, once they are solved.

@@ -11,18 +11,20 @@
 // Parts of edges count if the transmitter lights them and, where that is asked for, the receiver sees them (utd/shadow).
 //
 //   edge_scene.h       what is given: wedges, outlines, tracer; options
-//   edge_pass.h        the sum over edges at either order, which all of the following share
-//   corner_pass.h      waves from corner to corner of a sheet (utd/corner), from order 2 on
-//   edges.h            antennas at infinity           near_edges.h       at a finite distance
-//   reflected_edges.h  edges lit by reflected waves   screened_edges.h   behind sheets that let waves through (screens.h)
-//   material_edges.h   edges of other materials       fringe_pieces.h    single pieces of edges, for images
+//   edge_look.h        the look: from infinity, or from antennas at a finite distance (near_pieces.h)
+//   edge_groups.h      what of it lights which parts of edges, behind which screens (screens.h)
+//   edge_sum.h         what edges in the same plane waves radiate, at either order
+//   material_edges.h   edges of other materials
+//   reflected_edges.h  edges lit by reflected waves
 #pragma once
 
 #include <span>
 
-#include "scene/sweep.h"
+#include "scene/image.h"
+#include "utd/fringe/edge_look.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
+#include "utd/fringe/screens.h"
 #include "utd/surface/surface_arrival.h"
 
 namespace raytube {
@@ -34,15 +36,40 @@ struct SurfaceLight {
 };
 
 /// S of what these waves start at the edges, per frequency; added to `scattering`. Counted work (utd/wedge/work.h).
-double add_arrivals(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
+double add_arrivals(const EdgeScene& scene, const EdgeLook& look, std::span<const double> frequencies,
                     const FringeOptions& options, const SurfaceLight& light, std::span<ScatteringMatrix> scattering);
 
 /// S of the fringe currents on all convex wedges that the transmitter lights, each clipped to its lit part, with
 /// `receiver_shadow` also to what the receiver sees; summed coherently in wedge order. Not symmetric in a monostatic look: fringe
 /// currents are reciprocal on the Keller cone only. From order 2 on, where currents end with their face and diffract again at the
 /// edge there, S is bounded in every direction on polygonal faces, and no edge needs the forward-grazing window there.
-/// `frequencies` [Hz] must not be empty.
-EdgeLookResult fringe_scattering(const EdgeScene& scene, const Look& look, std::span<const double> frequencies,
+///
+/// From a finite distance (phase reference: the antennas') each edge is taken in pieces so short that the waves of both antennas
+/// are plane along them; each has its own directions, fields and path, and at order 2 or more its current follows its face as a
+/// plane wave would, so that what it starts at an edge x away is late by up to k x^2 / (2 range). So does what waves over curved
+/// surfaces start, from where each of them has arrived.
+///
+/// Behind screens opaque surfaces cast shadows and screens do not. What parts of edges behind the same screens radiate is
+/// transformed by what these let through along both lines of sight: those of a piece, or of the middle of an edge for waves from
+/// corner to corner. Valid as T of the plane waves is: far from the screens' own edges. What a current starts at another edge has
+/// the screens of its own edge, wherever that one is.
+///
+/// `subset.frequencies` [Hz] must not be empty.
+EdgeLookResult fringe_scattering(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                  const FringeOptions& options, const SurfaceLight& light = {});
+
+/// What an image asks of edges. The lattice is kept by reference.
+struct PieceRequest {
+  std::size_t frequency_index;  // among the frequencies of the look, which choose the points along the edges together
+  const ImageLattice& lattice;
+  bool by_path = false;  // begin = end = where the wave's path has its place, of one frequency; else where the edge is lit
+};
+
+/// The currents of fringe_scattering() at one of the frequencies, piece by piece of the lit edges within a cell of the lattice
+/// each: S [m] of those on the faces beside a piece, and of what these start at other edges. Quadrature along the pieces differs
+/// from that along the whole edge by its error, which they share by length: they add up to the sum of all. Waves from corner to
+/// corner are spread over the lit parts of their edge by length.
+std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
+                                     const PieceRequest& request, const FringeOptions& options);
 
 }  // namespace raytube

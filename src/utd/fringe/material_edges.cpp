@@ -20,12 +20,11 @@ MaterialEdges::MaterialEdges(const EdgeScene& scene, const LookVectors& look, st
   if (order > 1) higher_.resize(frequencies.size());
 }
 
-std::optional<WedgeIncidence> MaterialEdges::meeting(std::uint32_t index) const {
-  const Wedge& wedge = wedges_[index];
-  if (known_ == nullptr || !known_->radiates(wedge)) return std::nullopt;
-  WedgeIncidence incidence = incidence_on(wedge, look_.incident);
-  const bool rim = is_sheet_rim(wedge, known_->materials);
-  if (rim && incidence.weight < 1.0) incidence.weight = 1.0, incidence.free_side = wedge.faces[0].normal;
+std::optional<WedgeIncidence> EdgeMaterials::meeting(const Wedge& wedge, const dvec3& incident) const {
+  if (!radiates(wedge)) return std::nullopt;
+  WedgeIncidence incidence = incidence_on(wedge, incident);
+  if (is_sheet_rim(wedge, materials) && incidence.weight < 1.0)
+    incidence.weight = 1.0, incidence.free_side = wedge.faces[0].normal;
   return incidence.weight == 0.0 ? std::nullopt : std::optional(incidence);
 }
 

@@ -27,15 +27,15 @@ struct EdgeMaterials {
       : materials(of), sheets(of, frequencies), impedances(of, frequencies) {}
 
   bool radiates(const Wedge& wedge) const { return !wedge.enclosed && is_material_edge(wedge, materials); }
+
+  /// How a wave that comes along `incident` meets a wedge; none if the edge adds nothing. A sheet is lit from both sides.
+  std::optional<WedgeIncidence> meeting(const Wedge& wedge, const dvec3& incident) const;
 };
 
 /// One look, edge after edge. Keeps references to its arguments.
 class MaterialEdges {
  public:
   MaterialEdges(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies, int order);
-
-  /// How the wave meets wedge `index`; none if the edge adds nothing. A sheet is lit from both sides.
-  std::optional<WedgeIncidence> meeting(std::uint32_t index) const;
 
   /// Rims of sheets at the order asked for, edges of opaque materials to the second.
   void add(std::uint32_t index, const WedgeIncidence& incidence, std::span<const LitInterval> lit);

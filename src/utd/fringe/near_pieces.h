@@ -20,7 +20,8 @@ struct NearPiece {
 class PieceCutter {
  public:
   PieceCutter(const NearAntennas& antennas, double wavenumber, double radius)
-      : near_(antennas, wavenumber, radius), wavenumber_(wavenumber) {}
+      : PieceCutter(NearLook(antennas, wavenumber, radius), wavenumber) {}
+  PieceCutter(const NearLook& near, double wavenumber) : near_(near), wavenumber_(wavenumber) {}
 
   /// Halves the part [begin, end] of an edge until its pieces are short enough.
   void cut(const Wedge& wedge, double begin, double end, std::vector<NearPiece>& pieces) const;

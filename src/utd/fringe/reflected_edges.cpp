@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "utd/fringe/edge_pass.h"
+#include "utd/fringe/edge_sum.h"
 
 namespace raytube {
 
@@ -18,39 +18,32 @@ std::vector<double> weights_of(const ReflectedLook& look) {
   return weights;
 }
 
-ScatteringMatrix of_transmitter(const ReflectedLook& look, const ScatteringMatrix& s, std::size_t frequency) {
-  return look.weights.empty() ? s : times(s, look.weights[frequency]);
+// S to the transmitter's own fields, of the wave as it has come over the mirrors.
+ScatteringMatrix of_transmitter(const ReflectedLook& look, const ScatteringMatrix& s, double weight, double frequency,
+                                std::size_t index) {
+  ScatteringMatrix result = look.weights.empty() ? s : times(s, look.weights[index]);
+  return result *= std::polar(weight, -wavenumber(frequency) * look.path);
 }
 
-void add_weighted(EdgeLookResult& sum, const EdgeLookResult& part, const ReflectedLook& look, double weight,
-                  std::span<const double> frequencies) {
-  for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    const Complex factor = std::polar(weight, -wavenumber(frequencies[f]) * look.path);
-    add_product(sum.scattering[f], of_transmitter(look, part.scattering[f], f), factor);
-    add_product(sum.higher[f], of_transmitter(look, part.higher[f], f), factor);
-    if (part.windowed[f]) sum.windowed[f] = true;
-  }
-  sum.lit = sum.lit || part.lit;
-  sum.wedges_lit += part.wedges_lit;
-  sum.work += part.work;
+std::optional<LitEdge> lit_edge(const EdgeScene& scene, const ReflectedLook& look, const LitWedge& edge, int order) {
+  const auto met = meeting(scene, edge.wedge, look.look.incident, order);
+  return met && !edge.lit.empty() ? std::optional<LitEdge>({edge.wedge, *met, edge.lit}) : std::nullopt;
 }
 
 }  // namespace
 
 EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<const ReflectedLook> looks,
                                            std::span<const double> frequencies, const FringeOptions& options) {
-  assert(!frequencies.empty() && options.order >= 1);
-  EdgeLookResult result;
-  result.scattering.resize(frequencies.size());
-  result.higher.resize(frequencies.size());
-  result.windowed.resize(frequencies.size());
+  assert(!frequencies.empty() && options.order > 1);
+  EdgeLookResult result(frequencies.size(), options.order);
   for (const ReflectedLook& look : looks)
     for (const double weight : weights_of(look)) {
-      StripEdges edges(scene, look.look, frequencies, options);
+      EdgeSum sum(scene, look.look, frequencies, options);
       for (const LitWedge& edge : look.edges)
-        if (const auto meeting = edges.meeting(edge.wedge); meeting && edge.weight == weight && !edge.lit.empty())
-          edges.add(edge.wedge, *meeting, edge.lit);
-      add_weighted(result, edges.take(), look, weight, frequencies);
+        if (const auto lit = lit_edge(scene, look, edge, options.order); lit && edge.weight == weight)
+          sum.add(*lit), result.wedges_lit += !lit->meeting.edge_face_only;
+      result.add(sum.take(),
+                 [&](const ScatteringMatrix& s, std::size_t f) { return of_transmitter(look, s, weight, frequencies[f], f); });
     }
   return result;
 }
@@ -61,12 +54,10 @@ std::vector<ImageEdge> reflected_fringe_pieces(const EdgeScene& scene, const Ref
   std::vector<ImageEdge> all;
   place.path = look.path;
   for (const LitWedge& edge : look.edges) {
-    StripEdges edges(scene, look.look, frequencies, options);
-    const auto meeting = edges.meeting(edge.wedge);
-    if (!meeting || edge.lit.empty()) continue;
-    for (ImageEdge& piece : edges.pieces(edge.wedge, *meeting, edge.lit, edge.lit, place)) {
-      piece.s = of_transmitter(look, piece.s, 0);
-      piece.s *= std::polar(edge.weight, -wavenumber(frequencies.front()) * look.path);
+    const auto lit = lit_edge(scene, look, edge, options.order);
+    if (!lit) continue;
+    for (ImageEdge& piece : EdgeSum(scene, look.look, frequencies, options).pieces(*lit, edge.lit, place)) {
+      piece.s = of_transmitter(look, piece.s, edge.weight, frequencies.front(), 0);
       all.push_back(piece);
     }
   }

@@ -30,9 +30,9 @@ struct ReflectedLook {
   std::vector<ChannelWeights> weights{};  // [frequency] of the two fields, [own][transmit]; empty: they are those of V and H
 };
 
-/// S of the fringe currents (edges.h) of edges lit by reflected waves, one wave or more; at order 1 their strips end with the
-/// face, too. Edges that are only grazed, and those that do not radiate, add nothing. The shadows are in `looks`: neither the
-/// tracer nor `receiver_shadow` is used. `frequencies` [Hz] must not be empty.
+/// S of the fringe currents (edges.h) of edges lit by reflected waves, one wave or more, from order 2 on. Edges that are only
+/// grazed, and those that do not radiate, add nothing. The shadows are in `looks`: neither the tracer nor `receiver_shadow` is
+/// used. `frequencies` [Hz] must not be empty.
 EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<const ReflectedLook> looks,
                                            std::span<const double> frequencies, const FringeOptions& options);
 

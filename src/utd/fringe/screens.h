@@ -34,8 +34,8 @@ class OpaqueAndScreens {
 
 /// Some of the frequencies of a sweep.
 struct SweepSubset {
-  std::span<const double> frequencies;   // [Hz]
-  std::span<const std::size_t> indices;  // of each in the sweep, as materials are tabulated
+  std::span<const double> frequencies;     // [Hz]
+  std::span<const std::size_t> indices{};  // of each in the sweep, as materials are tabulated; used with screens only
 };
 
 /// One of the frequencies of a sweep.

@@ -5,12 +5,6 @@
 
 namespace raytube {
 
-LitEdges::LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const LookVectors& look, double wavelength,
-                   bool receiver_shadow)
-    : transmitter_(wedges, tracer, -look.incident, wavelength) {
-  if (receiver_shadow && look.scattered != -look.incident) receiver_.emplace(wedges, tracer, look.scattered, wavelength);
-}
-
 LitEdges::LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& transmitter,
                    const std::optional<Viewpoint>& receiver, double wavelength)
     : transmitter_(wedges, tracer, transmitter, wavelength) {

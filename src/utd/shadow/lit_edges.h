@@ -11,9 +11,7 @@ namespace raytube {
 /// Keeps references to wedges and tracer; `wavelength` [m] is the shortest of the look.
 class LitEdges {
  public:
-  /// Antennas at infinity.
-  LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const LookVectors& look, double wavelength, bool receiver_shadow);
-  /// Antennas anywhere; without `receiver` nothing but the transmitter casts shadows.
+  /// Without `receiver` nothing but the transmitter casts shadows.
   LitEdges(std::span<const Wedge> wedges, const Tracer& tracer, const Viewpoint& transmitter,
            const std::optional<Viewpoint>& receiver, double wavelength);
 

@@ -23,7 +23,7 @@ struct EdgeTarget {
 
   ScatteringMatrix scattering(const Look& look, int order) const {
     const double frequencies[] = {frequency};
-    const EdgeLookResult r = fringe_scattering(edges(), look, frequencies, {order});
+    const EdgeLookResult r = fringe_scattering(edges(), look, {frequencies}, {order});
     windowed = windowed || r.windowed[0];
     ScatteringMatrix s = r.scattering[0];
     if (order > 1) s += r.higher[0];
@@ -199,7 +199,7 @@ TEST(EdgeOrders, DefaultPointsAlongAnEdgeAreEnough) {
        {Direction{118.4 * degree, 36.5 * degree}, Direction{0.9, 0.2}, Direction{1.2, 0.5}, Direction{0.9, 0}})
     for (const int order : {2, 3}) {
       const auto sum = [&](std::span<const double> frequencies) {
-        const EdgeLookResult r = fringe_scattering(plate.edges(), {d, d}, frequencies, {order});
+        const EdgeLookResult r = fringe_scattering(plate.edges(), Look{d, d}, {frequencies}, {order});
         return r.scattering[0] + r.higher[0];
       };
       worst = std::max(worst, difference(sum(alone), sum(with_higher)));
@@ -214,7 +214,7 @@ TEST(EdgeOrders, ReceiverShadowHidesWhatTheReceiverCannotSee) {
   const EdgeTarget cube(shapes::cube(2.0));
   const auto pass = [&](const Look& look, bool receiver_shadow) {
     const double frequencies[] = {frequency};
-    return fringe_scattering(cube.edges(), look, frequencies, {1, receiver_shadow});
+    return fringe_scattering(cube.edges(), look, {frequencies}, {1, receiver_shadow});
   };
   const Look same = monostatic_look(1.0, 0.7), opposite{{1.0, 0.7}, {pi - 1.0, 0.7 + pi}};
   EXPECT_EQ(largest(pass(same, true).scattering[0]), largest(pass(same, false).scattering[0]));

@@ -20,12 +20,12 @@ struct Scene {
 
   EdgeScene edges() const { return {target.wedges, target.outlines, target.tracer}; }
 
-  EdgeLookResult direct(const Look& look, int order) const { return fringe_scattering(edges(), look, frequencies, {order}); }
+  EdgeLookResult direct(const Look& look, int order) const { return fringe_scattering(edges(), look, {frequencies}, {order}); }
 
   /// A wave that lights what it would light if nothing were in its way but the target.
   ReflectedLook lit_by(const LookVectors& look, double path, double weight = 1.0) const {
     ReflectedLook result{look, path, {}};
-    LitEdges edges(target.wedges, target.tracer, look, 1 / 1.3, false);
+    LitEdges edges(target.wedges, target.tracer, -look.incident, std::nullopt, 1 / 1.3);
     for (std::uint32_t i = 0; i < target.wedges.size(); ++i) {
       const WedgeIncidence incidence = incidence_on(target.wedges[i], look.incident);
       if (incidence.weight == 1.0 && edges.find(i, incidence))

@@ -26,11 +26,11 @@ ScatteringMatrix edges_of(const EdgeLookResult& result, std::size_t index) {
 /// edges, and the lowest one, which says how far strips are followed over curved faces, go with each.
 double worst_of_band(const EdgeScene& scene, const Look& look, double low, double high) {
   const std::vector<double> many = band(low, high);
-  const EdgeLookResult together = fringe_scattering(scene, look, many, {3});
+  const EdgeLookResult together = fringe_scattering(scene, look, {many}, {3});
   double worst = 0.0, peak = 0.0;
   for (std::size_t i = 0; i < many.size(); i += 9) {
     const double few[] = {many[i], many.front(), many.back()};
-    const ScatteringMatrix alone = edges_of(fringe_scattering(scene, look, few, {3}), 0);
+    const ScatteringMatrix alone = edges_of(fringe_scattering(scene, look, {few}, {3}), 0);
     worst = std::max(worst, largest_amplitude(edges_of(together, i) - alone));
     peak = std::max(peak, largest_amplitude(alone));
   }

@@ -20,7 +20,7 @@ Look monostatic(double theta, double phi) { return {{theta, phi}, {theta, phi}};
 
 EdgeLookResult first_order(const Scene& scene, const Tracer& tracer, const Look& look, std::span<const double> frequencies) {
   static const Outlines none;
-  return fringe_scattering({scene.wedges, none, tracer}, look, frequencies, {1});
+  return fringe_scattering({scene.wedges, none, tracer}, look, {frequencies}, {1});
 }
 
 ScatteringMatrix scattering(const Scene& scene, const Tracer& tracer, const Look& look) {
