@@ -12,7 +12,7 @@
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
 #include "scene/frequency_bands.h"
-#include "utd/gtd/ray_fields.h"
+#include "gtd/ray_fields.h"
 
 namespace raytube {
 

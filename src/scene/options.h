@@ -44,7 +44,7 @@ struct TubeOptions {
 enum class EdgeMethod {
   none,    // nothing: physical optics alone
   fringe,  // the currents that physical optics lacks
-  utd  // no currents at all, but rays of geometrical optics and rays that one edge diffracts (utd/gtd/ray_fields.h), a mode to
+  utd  // no currents at all, but rays of geometrical optics and rays that one edge diffracts (gtd/ray_fields.h), a mode to
        // compare with programs that trace paths
 };
 

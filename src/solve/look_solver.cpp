@@ -11,7 +11,7 @@
 #include "solve/mechanisms/band_scene.h"
 #include "solve/mechanisms/mechanism.h"
 #include "solve/scheduler.h"
-#include "utd/gtd/ray_fields.h"
+#include "gtd/ray_fields.h"
 
 namespace raytube {
 

@@ -72,17 +72,17 @@ const Rooms may_include = {
                                                 "utd/sheet", "utd/impedance"}},
     {"utd/fan", base + std::set<std::string>{"utd/wedge"}},
     {"utd/interaction", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/fan"}},
-    {"utd/gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe"}},
-    {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/gtd",
-                                         "utd/corner"}},
+    {"utd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/multiple", "utd/fringe", "utd/interaction", "utd/corner"}},
+
+    {"gtd", base + std::set<std::string>{"utd/wedge", "utd/shadow", "utd/fringe"}},
 
     {"uncertainty", base},
 
-    {"plan", base + std::set<std::string>{"scene/keys", "mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/gtd"}},
+    {"plan", base + std::set<std::string>{"scene/keys", "mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "gtd"}},
     {"solve/mechanisms",
      base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe", "utd/interaction", "utd/fock",
                                   "utd/rounded", "utd/surface", "utd/tip", "utd/corner"}},
-    {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "utd/gtd",
+    {"solve", base + std::set<std::string>{"plan", "sbr", "sbr/launch", "sbr/beams", "sbr/curved", "uncertainty", "gtd",
                                            "utd/sheet", "solve/mechanisms"}},
 
     {"case/data", {"core", "scene", "scene/keys"}},

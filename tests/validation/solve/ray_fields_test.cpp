@@ -1,5 +1,5 @@
 // edges.method = "utd": rays in the place of currents, at a finite distance.
-#include "utd/gtd/ray_fields.h"
+#include "gtd/ray_fields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "utd/gtd/ray_surfaces.h"
+#include "gtd/ray_surfaces.h"
 
 namespace raytube {
 

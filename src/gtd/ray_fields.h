@@ -11,7 +11,7 @@
 
 #include "mesh/features/wedges.h"
 #include "scene/sweep.h"
-#include "utd/gtd/mirror_paths.h"
+#include "gtd/mirror_paths.h"
 
 namespace raytube {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "utd/gtd/ray_surfaces.h"
+#include "gtd/ray_surfaces.h"
 
 namespace raytube {
 

@@ -1,4 +1,4 @@
-#include "utd/gtd/mirror_paths.h"
+#include "gtd/mirror_paths.h"
 
 #include <algorithm>
 #include <cmath>

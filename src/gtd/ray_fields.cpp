@@ -1,4 +1,4 @@
-#include "utd/gtd/ray_fields.h"
+#include "gtd/ray_fields.h"
 
 #include <fmt/format.h>
 
