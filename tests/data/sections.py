@@ -90,13 +90,6 @@ def airfoil(chord, thickness):
     return [curve]
 
 
-def teardrop(chord, radius):
-    """Nose an arc about the origin, flat flanks to a sharp tail at -(chord - radius)."""
-    tail, lean = (radius - chord, 0), np.arcsin(radius / (chord - radius))
-    top = radius * np.array([-np.sin(lean), np.cos(lean)])
-    return [line(tail, top * [1, -1]), arc(np.zeros(2), radius, -np.pi / 2 - lean, np.pi / 2 + lean), line(top, tail)]
-
-
 def circle(ka):
     return [arc(np.zeros(2), ka / K, 0, 2 * np.pi)]
 
@@ -194,7 +187,6 @@ SECTIONS = {
     "lens_0.1": (lens(5, 0.1), np.arange(0.5, 90), 320), "lens_0.2": (lens(5, 0.2), np.arange(0.5, 90), 320),
     "lens_0.4": (lens(5, 0.4), np.arange(0.5, 90), 320), "half_lens_0.1": (half_lens(5, 0.1), np.arange(-89.5, 90), 320),
     "airfoil_0.15": (airfoil(5, 0.15), np.arange(0.5, 180), 560), "airfoil_0.35": (airfoil(5, 0.35), np.arange(0.5, 180), 560),
-    "teardrop": (teardrop(1, 0.06), np.arange(0.5, 180), 240),
     "circle_10": (circle(10), np.array([0.0]), 160), "circle_20": (circle(20), np.array([0.0]), 240),
 }
 

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <memory>
 
-#include "math/special/elementary.h"
 #include "utd/surface/noses.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr int radii = 12, flattenings = 25, flanks_of_arcs = 7;
-constexpr double ratio = 1.6, flattening_step = 0.05, flank_step = 4 * degree;
-constexpr double farthest_apex = 5.0;  // k t of arcs' tangent points: the time that modes take grows as its third power
+constexpr int radii = 12, flattenings = 25;
+constexpr double ratio = 1.6, flattening_step = 0.05;
 
 NoseNode with_modes(const ConicSection& section) {
   const double alpha = section.interior_angle(), distance = section.tangent_distance();
@@ -29,20 +27,13 @@ NoseNode conic(int i, int j) {
   return with_modes({radius, flattening, std::asin(std::sqrt(std::min(square, limit)))});
 }
 
-NoseNode arc(int i, int j) {
-  const double radius = node_radius(i), flanks = steepest_flank - flank_step * (flanks_of_arcs - 1 - j);
-  return with_modes({radius, 0.0, std::min(flanks, arc_tangent(farthest_apex / radius))});
-}
-
 // Made once for all, whoever asks first.
 class Nodes {
  public:
-  Nodes(NoseNode (*made)(int, int)) : made_(made) {}
-
   const NoseNode* at(int i, int j) {
     if (i == 0) return nullptr;
     Entry& entry = entries_[i][j];
-    std::call_once(entry.once, [&] { entry.node = std::make_unique<NoseNode>(made_(i, j)); });
+    std::call_once(entry.once, [&] { entry.node = std::make_unique<NoseNode>(conic(i, j)); });
     return entry.node.get();
   }
 
@@ -51,7 +42,6 @@ class Nodes {
     std::once_flag once;
     std::unique_ptr<NoseNode> node;
   };
-  NoseNode (*made_)(int, int);
   std::array<std::array<Entry, flattenings>, radii> entries_;
 };
 
@@ -65,8 +55,12 @@ struct Between {
   }
 };
 
-std::array<NosePlace, 4> places_around(Nodes& nodes, double wavenumber_radius, const Between& shape) {
+}  // namespace
+
+std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening) {
+  static Nodes nodes;
   const Between radius(std::log(edge_radius / wavenumber_radius) / std::log(ratio), radii);
+  const Between shape((flattening - least_flattening) / flattening_step, flattenings);
   std::array<NosePlace, 4> places{};
   for (int n = 0; n < 4; ++n) {
     const int i = n / 2, j = n % 2;
@@ -74,18 +68,6 @@ std::array<NosePlace, 4> places_around(Nodes& nodes, double wavenumber_radius, c
     places[n] = {share > 0.0 ? nodes.at(radius.first + i, shape.first + j) : nullptr, share};
   }
   return places;
-}
-
-}  // namespace
-
-std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening) {
-  static Nodes nodes(conic);
-  return places_around(nodes, wavenumber_radius, {(flattening - least_flattening) / flattening_step, flattenings});
-}
-
-std::array<NosePlace, 4> arc_places(double wavenumber_radius, double flanks) {
-  static Nodes nodes(arc);
-  return places_around(nodes, wavenumber_radius, {flanks_of_arcs - 1 - (steepest_flank - flanks) / flank_step, flanks_of_arcs});
 }
 
 }  // namespace raytube

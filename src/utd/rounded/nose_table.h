@@ -10,14 +10,13 @@
 
 namespace raytube {
 
-/// A nose with k rho and e of a node of the table, cut where k times its radius is `edge_radius` and its flanks begin; or an arc
-/// with k rho of a node between flanks of another one, cut before that where these meet far off.
+/// A nose with k rho and e of a node of the table, cut where k times its radius is `edge_radius` and its flanks begin.
 struct NoseNode {
   ConicSection section;  // at k = 1
   RoundedWedge modes;
 };
 
-/// Nodes in ln(k rho) and e, or the flanks' theta, around what is asked, with their shares; what they make of a wave is
+/// Nodes in ln(k rho) and e around what is asked, with their shares; what they make of a wave is
 /// interpolated, not they.
 struct NosePlace {
   const NoseNode* node;  // none: nothing is rounded any more
@@ -25,6 +24,5 @@ struct NosePlace {
 };
 
 std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening);
-std::array<NosePlace, 4> arc_places(double wavenumber_radius, double flanks);
 
 }  // namespace raytube

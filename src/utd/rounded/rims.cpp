@@ -1,10 +1,8 @@
 #include "utd/rounded/rims.h"
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
-#include "math/erfc_ray.h"
 #include "scene/frequency_bands.h"
 #include "utd/rounded/nose_table.h"
 #include "utd/rounded/rounded_edge.h"
@@ -14,7 +12,6 @@ namespace raytube {
 namespace {
 
 constexpr double piece_length = 1.0 / 20;  // of the wavelength
-constexpr double just_lit = 1e-4;          // [rad] over a flank, to count as in front of it
 constexpr double least_agreement = 0.5;    // of the directions of noses that have a mean: its length, of unit ones
 
 // The wedge between the tangents; its virtual apex is the origin.
@@ -36,71 +33,18 @@ ScatteringMatrix amplitude_of(const Nose& nose, const NoseNode& node, const Look
   return s *= std::polar(1.0, wavenumber * path);
 }
 
-// A plane wave at an arc, by the angle about the edge from its direction [rad].
-struct ArcWave {
-  Complex share;
-  double turn;
-};
-
-// The wave itself, at the flank next to it if it comes out of the metal, and what the sharp edge behind, a half plane for grazing
-// waves, sends along both flanks: on the far one the incident field times K(a) = erfc(e^{j pi/4} a) / 2, a^2 = k chord (1 -
-// cos(phi')), phi' that to the half plane, and as much less on the near one (Sommerfeld 1896). Within Fresnel's angle of its own
-// plane the nose shades that edge.
-std::array<ArcWave, 3> waves_at_arc(const Nose& nose, const ConicSection& section, const dvec3& towards, double across) {
-  const double angle = std::atan2(glm::dot(towards, glm::cross(nose.along, nose.outwards)), glm::dot(towards, nose.outwards));
-  const double off = std::abs(angle), side = angle < 0.0 ? -1.0 : 1.0, limit = section.end + pi / 2 - just_lit;
-  const double root = std::sqrt(2 * across * nose.chord), a = root * std::cos(off / 2);
-  const Complex around = 0.5 * std::polar(1.0, -a * a) * scaled_erfc(a);
-  return {{{1.0, side * std::min(limit - off, 0.0)}, {-around, side * (limit - off)}, {around, -side * (limit + off)}}};
-}
-
-glm::dmat3 turned_about(const dvec3& axis, double angle) { return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, axis)); }
-
-LookVectors turned(LookVectors look, const dvec3& axis, double source, double observer) {
-  const glm::dmat3 in = turned_about(axis, source), out = turned_about(axis, observer);
-  look.incident = in * look.incident, look.scattered = out * look.scattered;
-  for (int i = 0; i < 2; ++i) {
-    look.electric[i] = in * look.electric[i], look.magnetic[i] = in * look.magnetic[i];
-    look.receive[i] = out * look.receive[i];
-  }
-  return look;
-}
-
-ScatteringMatrix arc_amplitude(const Nose& nose, const NoseNode& node, const LookVectors& look, double wavenumber,
-                               double across) {
-  ScatteringMatrix sum;
-  for (const ArcWave& from : waves_at_arc(nose, node.section, -look.incident, across))
-    for (const ArcWave& to : waves_at_arc(nose, node.section, look.scattered, across)) {
-      ScatteringMatrix s = amplitude_of(nose, node, turned(look, nose.along, from.turn, to.turn), wavenumber, across);
-      sum += s *= from.share * to.share;
-    }
-  return sum;
-}
-
 // S per unit length, phases from the nose.
 ScatteringMatrix nose_amplitude(const Nose& nose, const LookVectors& look, double wavenumber) {
   ScatteringMatrix sum;
   const double sines = std::sqrt(nose.sine_to(look.incident) * nose.sine_to(look.scattered));
   if (sines < 1e-3) return sum;
   const double across = wavenumber * sines, radius = across * nose.radius;
-  for (const NosePlace& place : nose.is_arc() ? arc_places(radius, nose.flanks) : nose_places(radius, nose.flattening)) {
+  for (const NosePlace& place : nose_places(radius, nose.flattening)) {
     if (place.node == nullptr) continue;
-    ScatteringMatrix s = nose.is_arc() ? arc_amplitude(nose, *place.node, look, wavenumber, across)
-                                       : amplitude_of(nose, *place.node, look, wavenumber, across);
+    ScatteringMatrix s = amplitude_of(nose, *place.node, look, wavenumber, across);
     sum += s *= place.share;
   }
   return sum;
-}
-
-// The nose, or one of an arc's flanks where it begins.
-bool is_lit(const CurvedTarget& target, const Nose& nose, const dvec3& incident) {
-  if (target.is_lit(nose.position, nose.outwards, incident)) return true;
-  const dvec3 across = glm::cross(nose.along, nose.outwards);
-  const auto flank = [&](double side) {
-    const dvec3 normal = std::cos(nose.flanks) * nose.outwards + side * std::sin(nose.flanks) * across;
-    return target.is_lit(nose.position + nose.radius * (normal - nose.outwards), normal, incident);
-  };
-  return nose.is_arc() && (flank(-1.0) || flank(1.0));
 }
 
 // Of bends that are too round for an edge at this wavenumber there is no section to share among their facets, though a facet may
@@ -116,12 +60,11 @@ double longest_nose(double frequency) { return wavelength(sampled_band(frequency
 
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber) {
   const double cell = piece_length * 2 * pi / wavenumber;
-  std::map<std::array<long, 7>, RimPiece> cells;
+  std::map<std::array<long, 6>, RimPiece> cells;
   for (const Nose& nose : noses) {
     if (!is_edge(nose, wavenumber)) continue;
     const double length = nose.evenness * nose.turn * nose.facet_share(wavenumber) / nose.shared_turn(wavenumber);
-    std::array<long, 7> key{};
-    key[6] = nose.is_arc();
+    std::array<long, 6> key{};
     for (int i = 0; i < 3; ++i) key[i] = std::lround(nose.position[i] / cell), key[3 + i] = std::lround(nose.outwards[i]);
     RimPiece& piece = cells[key];
     if (glm::dot(piece.nose.along, nose.along) < 0.0) piece.nose.along = -piece.nose.along;
@@ -131,8 +74,6 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
     piece.nose.along += length * nose.along;
     piece.nose.radius += length * nose.radius;
     piece.nose.flattening += length * nose.flattening;
-    piece.nose.flanks += length * nose.flanks;
-    piece.nose.chord += length * nose.chord;
     piece.nose.bend += length * nose.bend;
   }
   std::vector<RimPiece> pieces;
@@ -148,8 +89,6 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
     nose.along = glm::normalize(nose.along);
     nose.radius /= piece.length;
     nose.flattening /= piece.length;
-    nose.flanks /= piece.length;
-    nose.chord /= piece.length;
     nose.bend /= piece.length;
     pieces.push_back(piece);
   }
@@ -164,7 +103,7 @@ ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimP
     const LookVectors& here = look.at(position);
     const double bent = std::sqrt(piece.nose.straightness(here.incident) * piece.nose.straightness(here.scattered)),
                  share = bent * piece.nose.edge_share(here.incident, here.scattered, wavenumber);
-    if (share <= 0.0 || !is_lit(target, piece.nose, here.incident)) continue;
+    if (share <= 0.0 || !target.is_lit(position, piece.nose.outwards, here.incident)) continue;
     ScatteringMatrix s = nose_amplitude(piece.nose, here, wavenumber);
     s *= std::polar(piece.length * share, wavenumber * look.both(position));
     sum += s;

@@ -60,11 +60,6 @@ struct CurvedTarget {
     return 1.0 - nose.edge_share(incident, scattered, wavenumber) * nose.facet_share(wavenumber, sine);
   }
 
-  /// The same of waves that begin in the dark of a facet: on an arc between flat flanks they are those of an edge.
-  double dark_share(std::uint32_t triangle, const dvec3& incident, const dvec3& scattered, double wavenumber) const {
-    return noses.empty() || !noses[triangle].is_arc() ? 1.0 : wave_share(triangle, incident, scattered, wavenumber);
-  }
-
   /// Whether currents are analytic in the wavenumber, so that few frequencies stand for many: shares of rounded edges have kinks,
   /// and impedances are known at the frequencies of the look alone.
   bool is_analytic() const { return noses.empty() && materials.empty(); }

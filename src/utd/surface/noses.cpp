@@ -18,12 +18,6 @@ constexpr double least_flank = 0.35;  // [rad] of the section on either side of 
 constexpr double longest_bend = 100 * degree;
 constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
 constexpr double flank_fade = 20 * degree;   // of a source near the plane of a flank, over which waves go on into the dark
-constexpr double longest_arc = 200 * degree, shortest_arc = 120 * degree;
-constexpr double roundest = 1.0 / 3.0;                      // of the curvatures along an arc, the least of the largest
-constexpr double off_plane = 2 * degree;                    // of the normals where an arc runs into a flank, and of facets of one
-constexpr double most_turned = 10 * degree;                 // off a flank, that it runs on: into the other half of a swept wing
-constexpr double least_radii = 3.0;                         // that a facet of a flank is long
-constexpr double sharpest = 0.1;                            // of a chord, by which flanks may be apart at its end
 constexpr double most_growth = 0.25, fading_growth = 0.15;  // of the nose's radius over the length along the edge
 constexpr int most_pieces = 400;
 constexpr double no_more_slices = 1e-9;          // of a slice that would make another one
@@ -45,14 +39,9 @@ double bent_share(double wavenumber, double radius) {
 
 // From a facet along its section, as far as that bends.
 struct SectionWalk {
-  std::vector<Sample> samples;  // of a conic
+  std::vector<Sample> samples;
   double angle = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
   bool round = false;  // as a cylinder
-  // Where it ends in a flat face, if it does: place, and the angle of its normal.
-  bool flat = false;
-  std::uint32_t flank_facet = no_index;
-  dvec3 flank;
-  double flank_angle = 0.0;
 };
 
 struct Principal {
@@ -72,7 +61,7 @@ Principal principal_at(const SurfaceFrame& frame) {
 class NoseFinder {
  public:
   NoseFinder(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, double wavenumber)
-      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), edges_(mesh.edges()), wavenumber_(wavenumber) {}
+      : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), wavenumber_(wavenumber) {}
 
   Nose at(const FacetPoint& start) const {
     const SurfaceFrame frame = curvatures_.at(start.triangle, start.l);
@@ -82,11 +71,10 @@ class NoseFinder {
     const SectionWalk behind = walk(start, plane, -1.0), ahead = walk(start, plane, 1.0);
     if (behind.samples.empty() || ahead.samples.empty()) return {};
     const std::vector<Sample> samples = joined(behind, ahead);
-    Nose nose;
-    if (!behind.round && !ahead.round) nose = fit(bent_part(samples), plane);
-    if (nose.radius <= 0.0) nose = arc_between(behind, ahead, samples, plane);
+    if (behind.round || ahead.round) return {};
+    Nose nose = fit(bent_part(samples), plane);
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
-    if (!nose.is_arc()) nose.evenness = evenness(start.triangle, nose, plane);
+    nose.evenness = evenness(start.triangle, nose, plane);
     if (!(nose.evenness > 0.0)) return {};  // nor of a facet too thin to have a gradient
     nose.turn = turn_of(start.triangle, plane.across);
     nose.facet_radius = 1.0 / principal.larger;
@@ -106,7 +94,6 @@ class NoseFinder {
     SectionWalk walked;
     for (int i = 0; i < most_pieces && geodesic.next(piece); ++i)
       if (!add(walked, piece, plane)) return walked;
-    if (geodesic.ended_at() >= 0) meet_face(walked, piece, geodesic.ended_at(), plane);
     return walked;
   }
 
@@ -118,101 +105,17 @@ class NoseFinder {
     const dvec3 along = glm::normalize(piece.direction - glm::dot(piece.direction, frame.normal) * frame.normal);
     const double turn = std::remainder(plane.angle(end.normal) - walked.angle, 2 * pi), curvature = frame.curvature(along);
     walked.least = std::min(walked.least, curvature), walked.most = std::max(walked.most, curvature);
-    if (curvature <= flattest * walked.most || std::abs(walked.angle) > longest_arc) return false;
-    const bool near = std::abs(walked.angle) <= longest_bend;
-    if (near) walked.samples.push_back({facet.point(l), piece.from.triangle, walked.angle + turn / 2, curvature, std::abs(turn)});
+    if (curvature <= flattest * walked.most || std::abs(walked.angle) > longest_bend) return false;
+    walked.samples.push_back({facet.point(l), piece.from.triangle, walked.angle + turn / 2, curvature, std::abs(turn)});
     walked.angle += turn;
-    if (near && std::abs(walked.angle) > steady_turn && walked.least > steadiest * walked.most) walked.round = true;
+    if (std::abs(walked.angle) > steady_turn && walked.least > steadiest * walked.most) walked.round = true;
     return true;
-  }
-
-  // Across the side of a facet where its surface ends.
-  void meet_face(SectionWalk& walked, const GeodesicPiece& piece, int side, const Plane& plane) const {
-    const EdgeTable::Edge edge = edges_[edges_.edge_of(piece.from.triangle, side)];
-    if (edge.sides.size() != 2) return;
-    const EdgeTable::Side& other = edge.beside(piece.from.triangle);
-    const dvec3& normal = normal_of(other.triangle);
-    const dvec3 &from = mesh_.vertices[edge.low], along = glm::normalize(mesh_.vertices[edge.high] - from);
-    const dvec3 tip = mesh_.vertices[mesh_.triangles[other.triangle][(other.corner + 2) % 3]] - from;
-    if (surfaces_.region(other.triangle) == no_index && glm::length(glm::cross(tip, along)) * walked.most >= least_radii &&
-        glm::dot(curvatures_.at(piece.from.triangle, piece.to).normal, normal) > std::cos(off_plane))
-      end_in(walked, surfaces_.facet(piece.from.triangle).point(piece.to), other.triangle, plane);
-  }
-
-  const dvec3& normal_of(std::uint32_t triangle) const { return mesh_.patch_of(triangle).normal; }
-
-  void end_in(SectionWalk& walked, const dvec3& place, std::uint32_t facet, const Plane& plane) const {
-    walked.flat = true;
-    walked.flank_facet = facet;
-    walked.flank = place;
-    walked.flank_angle = walked.angle + std::remainder(plane.angle(normal_of(facet)) - walked.angle, 2 * pi);
-  }
-
-  // Straight over the facets of a flat face from one on.
-  dvec3 end_of_face(std::uint32_t facet, dvec3 place, const dvec3& way) const {
-    const dvec3 normal = normal_of(facet);
-    for (int i = 0, entered = -1; i < most_pieces; ++i) {
-      const auto [side, length] = exit(facet, entered, place, way);
-      if (side < 0) return place;
-      place += length * way;
-      const EdgeTable::Edge edge = edges_[edges_.edge_of(facet, side)];
-      if (edge.sides.size() != 2) return place;
-      const EdgeTable::Side& other = edge.beside(facet);
-      if (glm::dot(normal_of(other.triangle), normal) < std::cos(most_turned)) return place;
-      facet = other.triangle, entered = static_cast<int>(other.corner);
-    }
-    return place;
-  }
-
-  // The side of a facet over which a line leaves it, but for that over which it came, and how far on [m].
-  std::pair<int, double> exit(std::uint32_t facet, int entered, const dvec3& place, const dvec3& way) const {
-    std::pair<int, double> first{-1, std::numeric_limits<double>::infinity()};
-    const Triangle& t = mesh_.triangles[facet];
-    for (int c = 0; c < 3; ++c) {
-      const dvec3& from = mesh_.vertices[t[c]];
-      const dvec3 outwards = glm::cross(mesh_.vertices[t[(c + 1) % 3]] - from, normal_of(facet));
-      const double speed = glm::dot(way, outwards);
-      if (c == entered || speed <= 0.0) continue;
-      const double length = std::max(0.0, glm::dot(from - place, outwards) / speed);
-      if (length < first.second) first = {c, length};
-    }
-    return first;
-  }
-
-  // Of an arc, to the edge in which its flanks meet; 0 if they do not.
-  double chord_of(const Nose& nose, const SectionWalk& behind, const SectionWalk& ahead) const {
-    const auto end = [&](const SectionWalk& w, double side) {
-      const dvec3 way = side * glm::cross(nose.along, normal_of(w.flank_facet));
-      return end_of_face(w.flank_facet, w.flank, glm::normalize(way));
-    };
-    const dvec3 a = end(behind, -1.0), b = end(ahead, 1.0);
-    const double chord = glm::dot(nose.position - 0.5 * (a + b), nose.outwards);
-    return glm::distance(a, b) < sharpest * chord ? chord : 0.0;
   }
 
   static std::vector<Sample> joined(const SectionWalk& behind, const SectionWalk& ahead) {
     std::vector<Sample> samples(behind.samples.rbegin(), behind.samples.rend());
     std::ranges::copy(ahead.samples, std::back_inserter(samples));
     return samples;
-  }
-
-  // The one that touches both flanks where they begin.
-  Nose arc_between(const SectionWalk& behind, const SectionWalk& ahead, std::span<const Sample> samples,
-                   const Plane& plane) const {
-    const double turn = ahead.flank_angle - behind.flank_angle, centre = 0.5 * (ahead.flank_angle + behind.flank_angle);
-    const double least = std::min(ahead.least, behind.least), most = std::max(ahead.most, behind.most);
-    if (!behind.flat || !ahead.flat || turn < shortest_arc || turn > longest_arc || least < roundest * most) return {};
-    Nose nose;
-    nose.flanks = 0.5 * turn;
-    nose.radius = 0.5 * glm::distance(ahead.flank, behind.flank) / std::sin(nose.flanks);
-    nose.angle = -centre;
-    nose.outwards = std::cos(centre) * plane.normal + std::sin(centre) * plane.across;
-    nose.along = glm::cross(plane.normal, plane.across);
-    nose.position = 0.5 * (ahead.flank + behind.flank) + nose.radius * (1.0 - std::cos(nose.flanks)) * nose.outwards;
-    const Sample& middle = std::ranges::min(samples, {}, [&](const Sample& s) { return std::abs(s.angle - centre); });
-    nose.bend = curvatures_.at(middle.triangle, facet_middle).curvature(nose.along) * nose.radius;
-    nose.chord = chord_of(nose, behind, ahead);
-    return nose.chord > 0.0 ? nose : Nose{};
   }
 
   // By the curvature alone, so that a nose is the same for all waves.
@@ -284,7 +187,6 @@ class NoseFinder {
   const TriangleMesh& mesh_;
   const SmoothSurfaces& surfaces_;
   const CurvatureField& curvatures_;
-  const EdgeTable& edges_;
   double wavenumber_;
 };
 
@@ -329,7 +231,6 @@ double narrowness(double wavenumber, double radius) {
 
 double Nose::radius_at(double theta) const {
   const double s = std::sin(theta), square = 1.0 - flattening * s * s;
-  if (is_arc()) return std::abs(theta) <= flanks ? radius : std::numeric_limits<double>::infinity();
   return square <= 0.0 ? std::numeric_limits<double>::infinity() : radius / std::pow(square, 1.5);
 }
 
@@ -338,7 +239,6 @@ double Nose::edge_share(const dvec3& incident, double wavenumber) const {
   const double across = sine_to(incident), whole = wavenumber * radius / edge_radius, x = across * whole;
   if (x <= 0.0 || whole >= 1.0) return 0.0;
   const double sharp = evenness * straightness(incident) * std::min((1.0 - whole) / last_radii, 1.0);
-  if (is_arc()) return sharp;
   const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / flattest_flank, 8);
   const double grazing = pi / 2 - std::asin(std::min(std::sqrt(square), std::sin(steepest_flank)));
   const double off = std::acos(std::clamp(-glm::dot(incident, outwards) / across, -1.0, 1.0));
@@ -362,7 +262,6 @@ double Nose::facet_share(double wavenumber, double sine) const {
 
 double Nose::shared_turn(double wavenumber) const {
   constexpr int points = 64;
-  if (is_arc()) return 2 * flanks * narrowness(wavenumber, radius) * bent_share(wavenumber, radius);
   double sum = 0.0;
   for (int i = 0; i < points; ++i) {
     const double there = radius_at(pi / 2 * (i + 0.5) / points);

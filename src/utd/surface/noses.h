@@ -18,15 +18,12 @@ inline constexpr double least_flattening = 0.3;
 /// Between flanks that are steeper than that the edge is cut there.
 inline constexpr double steepest_flank = 84 * degree;
 
-/// The section across a bend as a conic (utd/rounded/conic_section), or as an arc between flat flanks that meet in a sharp edge,
-/// as that of a wing, found from one facet of it.
+/// The section across a bend as a conic (utd/rounded/conic_section), found from one facet of it.
 struct Nose {
   dvec3 position, outwards, along;  // of its nose: place [m], normal, and direction of the edge
   double radius = 0.0;              // there [m]; 0: there is none
-  double flattening = 0.0;          // e; of an arc 0
+  double flattening = 0.0;          // e
   double bend = 0.0;                // curvature of the edge times `radius`
-  double flanks = 0.0;              // theta where an arc's flat flanks begin; of a conic 0
-  double chord = 0.0;               // of an arc's section [m]
   double angle = 0.0;               // theta of the facet
   double turn = 0.0;                // that the facet turns by, times its length along the edge [rad m]
   double facet_radius = 0.0;        // of its larger curvature [m]
@@ -34,9 +31,8 @@ struct Nose {
 
   double radius_at(double theta) const;  // [m], endless on the flanks
   double sine_to(const dvec3& ray) const { return glm::length(glm::cross(ray, along)); }
-  bool is_arc() const { return flanks > 0.0; }
   /// How much the wave sees of an edge in it, [0, 1]: none in what has no flanks, as cylinders, none where it comes along the
-  /// edge, none unless it lights both flanks, if these are not flat.
+  /// edge, none unless it lights both flanks.
   double edge_share(const dvec3& incident, double wavenumber) const;
   /// Of that for a wave from one direction into another one, the same either way round: their harmonic mean, none where either
   /// direction sees none.

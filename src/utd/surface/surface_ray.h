@@ -18,8 +18,8 @@ struct GeodesicPiece {
   dvec3 direction;  // unit, in the facet's plane
 };
 
-/// Length of an arc of that curvature over a chord [m], of points of one facet: at slivers, whose curvature may be anything, it is
-/// half a circle at most.
+/// Length of an arc of that curvature over a chord [m], of points of one facet: at slivers, whose curvature may be anything, it
+/// is half a circle at most.
 double arc_over(double chord, double curvature);
 
 /// A geodesic of a curved surface over its facets: in the plane of its tangent and of the normal on each of them, and with the

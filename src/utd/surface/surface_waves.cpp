@@ -52,8 +52,6 @@ struct StripPoint {
 struct DarkStrip {
   StripPoint q;  // of the boundary
   std::uint32_t component;
-  std::uint32_t triangle;                    // where it begins
-  dvec3 incident, scattered;                 // at q
   std::uint32_t material;                    // no_index: a perfect conductor
   dvec3 chord;                               // of its piece of that [m]
   double across;                             // its width there [m]
@@ -297,9 +295,8 @@ class SurfaceLook {
     const LookVectors& here = look_.at(q.position);
     std::optional<StripArrival> arrival =
         follow_dark(start, incident,
-                    DarkStrip{q, mesh_.triangle_component[start.triangle], start.triangle, incident, here.scattered,
-                              target_.material(start.triangle), piece.chord, across, along(here.magnetic, q.binormal),
-                              along(here.electric, q.binormal), q, width, radiates},
+                    DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
+                              along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width, radiates},
                     side);
     if (!arrival) return {};
     arrival->at = piece.arc_length;
@@ -350,8 +347,7 @@ class SurfaceLook {
   // What strips from all round bring to a tip is of order 1 about its axis: closer to that than k rho = 1 there is none, as on
   // the cone laid flat, where it is J of order 1 / sin(half angle), of k rho over that sine. What goes out again is the tip's.
   FockCurrents currents(const DarkStrip& strip, double k) const {
-    double share =
-        target_.width_share(strip.component, k) * target_.dark_share(strip.triangle, strip.incident, strip.scattered, k);
+    double share = target_.width_share(strip.component, k);
     if (!tips_.empty()) share *= -std::expm1(-std::pow(k * strip.clearance, 2));
     FockCurrents fock = fock_currents(strip, k);
     fock.hard *= share, fock.soft *= share;

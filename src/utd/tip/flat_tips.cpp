@@ -21,7 +21,7 @@ std::vector<Nose> noses_at(std::span<const Nose> all, double wavenumber) {
   constexpr double least_edge = 0.01;
   std::vector<Nose> noses;
   std::ranges::copy_if(all, std::back_inserter(noses), [&](const Nose& nose) {
-    return nose.radius > 0.0 && !nose.is_arc() && nose.facet_share(wavenumber) > 0.0 && nose.edge_share(-nose.outwards, wavenumber) >= least_edge;
+    return nose.radius > 0.0 && nose.facet_share(wavenumber) > 0.0 && nose.edge_share(-nose.outwards, wavenumber) >= least_edge;
   });
   return noses;
 }

@@ -48,17 +48,6 @@ Outline airfoil(double thickness) {
   return result;
 }
 
-Outline teardrop(double chord, double radius) {
-  constexpr int parts = 24;
-  const double end = pi / 2 + std::asin(radius / (chord - radius));
-  Outline result{{radius - chord, 0}};
-  for (int i = 0; i <= parts; ++i) {
-    const double angle = end * (2.0 * i / parts - 1.0);
-    result.push_back(radius * dvec2(std::cos(angle), std::sin(angle)));
-  }
-  return result;
-}
-
 Outline circle(double ka) {
   Outline result;
   for (int i = 0; i < 72; ++i) result.push_back(ka / (2 * pi) * dvec2(std::cos(5 * i * degree), std::sin(5 * i * degree)));
@@ -153,11 +142,6 @@ TEST(Sections, LensesAgainstBoundaryElements) {
 TEST(Sections, AirfoilsAgainstBoundaryElements) {
   expect_errors({"airfoil_0.15", airfoil(0.15), 15, {0.27, 0.038}, {0.97, 0.04}});
   expect_errors({"airfoil_0.35", airfoil(0.35), 15, {0.095, 0.0155}, {0.27, 0.026}});
-}
-
-// A nose of constant radius (k rho 0.4) between flat flanks is a rounded edge: as no edge it errs by .059 and .109.
-TEST(Sections, ATeardropAgainstBoundaryElements) {
-  expect_errors({"teardrop", teardrop(1, 0.06), 15, {0.37, 0.0155}, {1.72, 0.077}});
 }
 
 // One look, all being alike: those formulas are .06; .09 and .02; .04 dB off, to which the larger circle comes the closer the
