@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <link.h>
 
 #include <algorithm>
+#include <cstring>
+#include <string>
 
 #include "case/target.h"
 #include "core/instruction_set.h"
@@ -17,8 +20,41 @@
 
 namespace raytube {
 
+namespace {
+
+/// The linker's hash of all that it has put into a file (NT_GNU_BUILD_ID), as digits; empty if there is none. The first object is
+/// the program itself.
+int take_build_id(dl_phdr_info* object, std::size_t, void* id) {
+  for (int i = 0; i < object->dlpi_phnum; ++i) {
+    const ElfW(Phdr)& segment = object->dlpi_phdr[i];
+    if (segment.p_type != PT_NOTE) continue;
+    const char* note = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
+    const auto padded = [&](std::size_t size) { return (size + segment.p_align - 1) / segment.p_align * segment.p_align; };
+    for (const char* const end = note + segment.p_memsz; note + sizeof(ElfW(Nhdr)) <= end;) {
+      ElfW(Nhdr) head;
+      std::memcpy(&head, note, sizeof head);
+      const char* name = note + sizeof head;
+      const char* text = note + padded(sizeof head + head.n_namesz);
+      if (head.n_type == NT_GNU_BUILD_ID && std::string_view(name, head.n_namesz) == std::string_view("GNU", 4))
+        for (std::size_t b = 0; b < head.n_descsz; ++b)
+          static_cast<std::string*>(id)->append(fmt::format("{:02x}", static_cast<unsigned char>(text[b])));
+      note += padded(static_cast<std::size_t>(text - note) + head.n_descsz);
+    }
+  }
+  return 1;
+}
+
+// Another program may compute other bytes. To hash all of it takes longer than short runs.
+std::string identity_of_program() {
+  std::string id;
+  dl_iterate_phdr(take_build_id, &id);
+  return id.empty() ? sha256_of_file("/proc/self/exe") : id;
+}
+
+}  // namespace
+
 JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
-  JournalIdentity identity{{program_item, manifest.program_version + ' ' + sha256_of_file("/proc/self/exe")},
+  JournalIdentity identity{{program_item, manifest.program_version + ' ' + identity_of_program()},
                            {mesh_item, fmt::format("{}", fmt::join(manifest.mesh_sha256, " "))}};
   std::ranges::copy(identity_of_case(c, manifest), std::back_inserter(identity));
   return identity;
