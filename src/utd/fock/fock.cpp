@@ -40,13 +40,13 @@ FockCurrents fock_in_the_dark(double xi) {
 }
 
 void DarkWay::step(double curvature, double gaussian, double h) {
-  constexpr double hard = hard_zeros[0], soft = soft_zeros[0];
+  constexpr double hard = hard_zeros[0], soft = soft_zeros[0], cbrt_of_2 = 1.259921049894873165;
   constexpr double along_hard = hard * hard / 60 + 0.1 / hard, along_soft = soft * soft / 60, across_hard = 0.25 / hard;
   if (curvature <= 0.0) return;
-  const double turn = h * std::cbrt(2 * curvature);
+  const double root = std::cbrt(curvature), turn = h * cbrt_of_2 * root;
   const double across = std::clamp(gaussian / curvature, -curvature, curvature);
-  distance_ += h * std::cbrt(0.5 * curvature * curvature);
-  bends_ += h * std::cbrt(curvature);
+  distance_ += h * root * root / cbrt_of_2;
+  bends_ += h * root;
   hard_more_ += turn * (along_hard * curvature - across_hard * across);
   soft_more_ += turn * along_soft * curvature;
 }

@@ -24,6 +24,7 @@ class DarkWay {
   void step(double curvature, double gaussian, double h);
 
   double distance(double wavenumber) const { return std::cbrt(wavenumber) * distance_; }  // xi
+  double bend() const { return distance_; }                                               // xi k^(-1/3) [m^(1/3)]
 
   /// As fock_in_the_dark, with the creeping waves' propagation constants to their second order in m^-1: those of the zeros of
   /// H'(kr) and H(kr) on a cylinder (Olver 1954), and, hard, of (sqrt(r) H(kr))' where the surface bends across the way as on a

@@ -30,7 +30,7 @@ void put(const StripScene& scene, const GeodesicMarch& march, StripPath& path) {
   StripNode node{path.end,
                  std::sqrt(path.length),
                  glm::dot(scene.look.scattered, path.end - path.start) - path.length,
-                 march.bend(),
+                 march.way().bend(),
                  std::sqrt(std::abs(march.width().width)),
                  march.width().caustics,
                  {},
@@ -52,7 +52,7 @@ StripArrival walk_strip(const StripScene& scene, StripPath& path) {
   const double lowest = std::cbrt(2 * pi / scene.longest);
   GeodesicMarch march(scene.curved->target(), *start, path.wave.direction, face.back ? -1.0 : 1.0,
                       curvature_step * scene.shortest);
-  const auto faded = [&] { return lowest * march.bend() >= last_bend; };
+  const auto faded = [&] { return lowest * march.way().bend() >= last_bend; };
   put(scene, march, path);
   while (march.march_to(next_distance(path.length, scene.shortest)) && !faded()) put(scene, march, path);
   if (march.lost() || faded()) return {};

@@ -9,21 +9,23 @@ constexpr double widest_march = 30.0;  // of a strip's width at its start
 }  // namespace
 
 GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side,
-                             double sampling)
+                             double sampling, const StripWidth& begin)
     : target_(target),
       side_(side),
       sampling_(sampling),
       geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, start, direction),
       piece_{start, start.l, direction},
       piece_to_(target.surfaces.facet(start.triangle).point(start.l)),
-      at_(start.l) {
+      at_(start.l),
+      widest_(widest_march * begin.width),
+      width_(begin) {
   stand_at(start.l, 0.0);
 }
 
 dvec3 GeodesicMarch::position() const { return target_.surfaces.facet(piece_.from.triangle).point(at_); }
 
 // No number is lost, too: widths at a sliver may overflow.
-bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_march); }
+bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_); }
 
 bool GeodesicMarch::march_to(double distance) {
   while (piece_end_ < distance) {
@@ -57,9 +59,12 @@ void GeodesicMarch::stand_at(const dvec2& l, double distance) {
   const double step = distance - known_;
   normal_ = frame.normal;
   direction_ = glm::normalize(piece_.direction - glm::dot(piece_.direction, normal_) * normal_);
-  curvature_ = frame.curvature(direction_);
-  if (step > 0.0) width_.step(frame.gaussian(), step);
-  if (curvature_ > 0.0) bend_ += step * std::cbrt(0.5 * curvature_ * curvature_);
+  const double curvature = frame.curvature(direction_), gaussian = frame.gaussian();
+  // Means over a step, but for the first one: a way may begin at a tip, whose curvature tells nothing of what follows.
+  const double last = known_ > 0.0 ? 0.5 : 0.0;
+  const double mean = glm::mix(curvature, curvature_, last), mean_gaussian = glm::mix(gaussian, gaussian_, last);
+  if (step > 0.0) width_.step(mean_gaussian, step), way_.step(mean, mean_gaussian, step);
+  curvature_ = curvature, gaussian_ = gaussian;
   at_ = l;
   known_ = distance;
 }

@@ -1,6 +1,7 @@
 // A strip along a geodesic of a curved surface: how far it has come, how wide it is, how much it has bent.
 #pragma once
 
+#include "utd/fock/fock.h"
 #include "utd/surface/curved_target.h"
 #include "utd/surface/strip_width.h"
 #include "utd/surface/surface_ray.h"
@@ -11,8 +12,9 @@ namespace raytube {
 /// that it is known every `sampling` metres or once a facet. Keeps a reference to the target.
 class GeodesicMarch {
  public:
-  /// From a point into a direction; `side` as for CurvedTarget::frame. The strip is 1 wide there, its sides parallel.
-  GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side, double sampling);
+  /// From a point into a direction; `side` as for CurvedTarget::frame. The strip has the width `begin` there.
+  GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side, double sampling,
+                const StripWidth& begin = {1.0});
 
   /// On to a distance from the start [m], not less than where it stands. False if the surface ends before, then it stands at the
   /// end, or if the strip has been lost: it is many times as wide as at its start, next to a focus of geodesics it has left.
@@ -23,8 +25,9 @@ class GeodesicMarch {
   const dvec3& normal() const { return normal_; }
   const dvec3& direction() const { return direction_; }  // tangential there
   const StripWidth& width() const { return width_; }
-  /// Integral of (kappa^2 / 2)^(1/3) over where the surface bends away, xi k^(-1/3) [m^(1/3)].
-  double bend() const { return bend_; }
+  double curvature() const { return curvature_; }  // normal, along the strip [1/m]
+  /// Where the surface bends away.
+  const DarkWay& way() const { return way_; }
 
   bool lost() const;
   std::uint32_t triangle() const { return piece_.from.triangle; }
@@ -43,8 +46,9 @@ class GeodesicMarch {
   dvec2 at_;                                    // barycentric coordinates in the piece's facet
   double piece_start_ = 0.0, piece_end_ = 0.0;  // of the piece [m]
   double known_ = 0.0;
-  double curvature_ = 0.0, bend_ = 0.0;
-  StripWidth width_{1.0};
+  double curvature_ = 0.0, gaussian_ = 0.0, widest_;
+  StripWidth width_;
+  DarkWay way_;
   dvec3 direction_{0.0}, normal_{0.0};
 };
 

@@ -11,11 +11,10 @@
 #include "scene/frequency_bands.h"
 #include "utd/fock/fock.h"
 #include "utd/fock/impedance_fock.h"
+#include "utd/surface/geodesic_march.h"
 #include "utd/surface/lit_currents.h"
 #include "utd/surface/lit_frame.h"
 #include "utd/surface/shadow_boundary.h"
-#include "utd/surface/strip_width.h"
-#include "utd/surface/surface_ray.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
@@ -31,12 +30,11 @@ constexpr double least_part = 1.0 / 64.0;
 constexpr double no_nearer = 0.75;
 constexpr int most_jumps = 2;
 constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
-constexpr double phase_bend = 0.2;        // k kappa h^2 over a step h [rad]
-constexpr double fock_step = 0.3;         // of xi
+constexpr double phase_bend = 0.1;        // k kappa h^2 over a step h [rad]
+constexpr double fock_step = 0.15;         // of xi
 constexpr double last_xi = 10.0;          // in the dark, where nothing is left
 constexpr double no_more = 1e-9;          // of a step or strip that would make another one
-constexpr double most_spread = 30.0;      // of a strip's width at its beginning
-constexpr double fading_spread = 8.0;     // the same, where half of its current is counted
+constexpr double fading_spread = 8.0;     // of a strip's width at its beginning, where half of its current is counted
 constexpr double at_caustic = 8.0;        // so much finer are steps there
 constexpr double near_tip = 0.5;          // wavelengths from the axis of its cone, the same
 constexpr double least_curvature = 1e-6;  // times the target's radius
@@ -56,15 +54,14 @@ struct DarkStrip {
   dvec3 chord;                               // of its piece of that [m]
   double across;                             // its width there [m]
   std::array<double, 2> magnetic, electric;  // H and E of the wave there along the binormal, transmit V and H
-  StripPoint end;
-  StripWidth width;
   bool radiates;
-  DarkWay way{};
+  GeodesicMarch march;
   double clearance = std::numeric_limits<double>::infinity();  // the least radius of the cone of a tip on the way [m]
-  double s = 0.0, since = 0.0;                                 // from q, and from where the current was put last [m]
-  double used = 0.0;                                           // of the longest step from there
+  double last = 0.0;                                           // from q to where the current was put last [m]
   Complex area = 0.0;                                          // of that: root of the widths there and at q, with the caustics
   double path = 0.0;                                           // of that, in phase [m]
+
+  dvec3 binormal() const { return glm::cross(march.direction(), march.normal()); }
 };
 
 /// A strip that has arrived at a wedge, one point of the integral over all that do.
@@ -294,9 +291,9 @@ class SurfaceLook {
     const StripWidth width{across, across * look_.spreading(q.position)};
     const LookVectors& here = look_.at(q.position);
     std::optional<StripArrival> arrival =
-        follow_dark(start, incident,
-                    DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
-                              along(here.magnetic, q.binormal), along(here.electric, q.binormal), q, width, radiates},
+        follow_dark(DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
+                              along(here.magnetic, q.binormal), along(here.electric, q.binormal), radiates,
+                              GeodesicMarch(target_, start, incident, side, 0.0, width)},
                     side);
     if (!arrival) return {};
     arrival->at = piece.arc_length;
@@ -305,13 +302,13 @@ class SurfaceLook {
   }
 
   // Over so much of a strip the current, and the rate of its phase, change by little [m].
-  double step_limit(const DarkStrip& strip, double next_curvature) const {
-    const double curvature = std::max({strip.end.curvature, next_curvature, least_curvature / mesh_.radius});
+  double step_limit(const DarkStrip& strip) const {
+    const double curvature = std::max(strip.march.curvature(), least_curvature / mesh_.radius);
     const double bend = std::sqrt(phase_bend / (highest_ * curvature));
     const double fock = fock_step / std::cbrt(0.5 * highest_ * curvature * curvature);
     const double limit = std::min({longest_step * shortest_, bend, fock}), finest = limit / at_caustic;
-    if (tip_radius(strip.end.position) < near_tip * shortest_) return finest;
-    return std::clamp(strip.width.to_focus(), finest, limit);
+    if (tip_radius(strip.march.position()) < near_tip * shortest_) return finest;
+    return std::clamp(strip.march.width().to_focus(), finest, limit);
   }
 
   /// S of a current along `current` per unit of -jk / 4 pi, for each transmitted `field`.
@@ -327,21 +324,22 @@ class SurfaceLook {
   // and what neighbours are apart along themselves stays as it is (Gauss's lemma).
   static double path_across(const DarkStrip& strip, const dvec3& scattered) {
     const double along = glm::dot(strip.chord, strip.q.along);
-    const double across = glm::dot(strip.chord, strip.q.binormal) > 0.0 ? strip.width.width : -strip.width.width;
-    return glm::dot(scattered, across * strip.end.binormal + along * strip.end.along) - along;
+    const double width = strip.march.width().width, across = glm::dot(strip.chord, strip.q.binormal) > 0.0 ? width : -width;
+    return glm::dot(scattered, across * strip.binormal() + along * strip.march.direction()) - along;
   }
 
   // m = (k / 2 kappa)^(1/3)
-  double fock_scale(const StripPoint& point, double k) const {
-    return std::cbrt(0.5 * k / std::max(point.curvature, least_curvature / mesh_.radius));
+  double fock_scale(double curvature, double k) const {
+    return std::cbrt(0.5 * k / std::max(curvature, least_curvature / mesh_.radius));
   }
 
   // m eta J for the soft one.
   FockCurrents fock_currents(const DarkStrip& strip, double k) const {
-    if (strip.material == no_index) return strip.way.currents(k);
-    const double m = strip.way.distance(k) > 0.0 ? strip.way.scale(k) : fock_scale(strip.q, k);
+    const DarkWay& way = strip.march.way();
+    if (strip.material == no_index) return way.currents(k);
+    const double m = way.distance(k) > 0.0 ? way.scale(k) : fock_scale(strip.q.curvature, k);
     const FaceImpedance impedance = target_.impedances.at(strip.material, k);
-    return strip.way.with_second_order(impedance_fock(strip.way.distance(k), m, impedance), k);
+    return way.with_second_order(impedance_fock(way.distance(k), m, impedance), k);
   }
 
   // What strips from all round bring to a tip is of order 1 about its axis: closer to that than k rho = 1 there is none, as on
@@ -356,19 +354,21 @@ class SurfaceLook {
 
   // For pictures.
   void keep_end(const DarkStrip& strip) {
-    const double k = wavenumbers_.front(), share = std::abs(strip.width.width) / strip.across;
+    const GeodesicMarch& end = strip.march;
+    const double k = wavenumbers_.front(), share = std::abs(end.width().width) / strip.across;
     const FockCurrents fock = currents(strip, k);
     const double factor = 1.0 / std::sqrt(std::max(share, least_width));
-    if (strip.s == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
-    rays_->back().points.push_back({strip.end.position, strip.s, strip.way.distance(k), share, factor * std::abs(fock.hard),
-                                    factor * std::abs(fock.soft) / fock_scale(strip.end, k)});
+    if (end.distance() == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
+    rays_->back().points.push_back({end.position(), end.distance(), end.way().distance(k), share, factor * std::abs(fock.hard),
+                                    factor * std::abs(fock.soft) / fock_scale(end.curvature(), k)});
   }
 
   void set_amplitudes(const DarkStrip& strip) {
-    const LookVectors& here = look_.at(strip.end.position);
-    const ScatteringMatrix hard = radiated(here.receive, strip.magnetic, strip.end.along);
-    const ScatteringMatrix soft = radiated(here.receive, strip.electric, strip.end.binormal);
-    const std::array<dvec3, 2> turned = receiver_of_magnetic_currents(here, strip.end.normal);
+    const GeodesicMarch& end = strip.march;
+    const LookVectors& here = look_.at(end.position());
+    const ScatteringMatrix hard = radiated(here.receive, strip.magnetic, end.direction());
+    const ScatteringMatrix soft = radiated(here.receive, strip.electric, strip.binormal());
+    const std::array<dvec3, 2> turned = receiver_of_magnetic_currents(here, end.normal());
     const double half_across = 0.5 * path_across(strip, here.scattered);
     for (std::size_t n = 0; n < amplitudes_.size(); ++n) {
       const double k = sum_->wavenumbers()[n];
@@ -377,10 +377,10 @@ class SurfaceLook {
       ScatteringMatrix along = hard, across = soft;
       if (strip.material != no_index) {
         const FaceImpedance impedance = target_.impedances.at(strip.material, k);
-        along += radiated(turned, strip.magnetic, strip.end.along) *= impedance.hard;
-        across += radiated(turned, strip.electric, strip.end.binormal) *= impedance.soft;
+        along += radiated(turned, strip.magnetic, end.direction()) *= impedance.hard;
+        across += radiated(turned, strip.electric, strip.binormal()) *= impedance.soft;
       }
-      amplitudes_[n] = (along *= factor * fock.hard) += across *= factor * fock.soft / fock_scale(strip.end, k);
+      amplitudes_[n] = (along *= factor * fock.hard) += across *= factor * fock.soft / fock_scale(end.curvature(), k);
     }
   }
 
@@ -391,19 +391,22 @@ class SurfaceLook {
   void radiate_to_end(const DarkStrip& strip) {
     set_amplitudes(strip);
     result_.work += work::surface_frequency * static_cast<double>(amplitudes_.size());
-    sum_->add(strip.s == 0.0, strip.since, strip.path, strip.end.position, strip.width.width, amplitudes_);
+    const GeodesicMarch& end = strip.march;
+    sum_->add(end.distance() == 0.0, end.distance() - strip.last, strip.path, end.position(), end.width().width, amplitudes_);
     if (rays_ != nullptr) keep_end(strip);
   }
 
   // The current at the strip's end, and what lies between it and the last one.
   void put_end(DarkStrip& strip) {
-    const double width = std::abs(strip.width.width);
+    const GeodesicMarch& end = strip.march;
+    const double width = std::abs(end.width().width);
     strip.area =
-        std::polar(spread_share(width / strip.across) * std::sqrt(strip.across * width), 0.5 * pi * strip.width.caustics);
-    strip.path = look_.leaving(strip.end.position) + look_.arriving(strip.q.position) - strip.s;
+        std::polar(spread_share(width / strip.across) * std::sqrt(strip.across * width), 0.5 * pi * end.width().caustics);
+    strip.path = look_.leaving(end.position()) + look_.arriving(strip.q.position) - end.distance();
+    strip.clearance = std::min(strip.clearance, tip_radius(end.position()));
     result_.work += work::surface_step;
     if (strip.radiates) radiate_to_end(strip);
-    strip.since = strip.used = 0.0;
+    strip.last = end.distance();
   }
 
   // Of the cone of the next tip, at a point of it [m].
@@ -413,59 +416,22 @@ class SurfaceLook {
     return radius;
   }
 
-  // On by h. False: the strip ends before or there.
-  bool go_on(DarkStrip& strip, const StripPoint& point, double h) {
-    const double curvature = 0.5 * (strip.end.curvature + point.curvature),
-                 gaussian = 0.5 * (strip.end.gaussian + point.gaussian);
-    StripWidth width = strip.width;
-    width.step(gaussian, h);
-    if (point.curvature < 0.0 || std::abs(width.width) > most_spread * strip.across) return false;
-    strip.way.step(curvature, gaussian, h);
-    strip.width = width;
-    strip.end = point;
-    strip.s += h, strip.since += h;
-    strip.clearance = std::min(strip.clearance, tip_radius(point.position));
-    return strip.way.distance(lowest_) < last_xi;
-  }
-
-  bool go_over(DarkStrip& strip, const GeodesicPiece& piece, double side) {
-    const BentFacet facet = target_.surfaces.facet(piece.from.triangle);
-    const double chord = glm::distance(facet.point(piece.from.l), facet.point(piece.to));
-    if (chord <= 0.0) return true;
-    const double length = arc_over(chord, strip.end.curvature);
-    const StripPoint last = at(facet, {piece.from.triangle, piece.to}, piece.direction, side);
-    for (double left = 1.0; left > 0.0;) {
-      const double limit = step_limit(strip, last.curvature);
-      const double steps = std::max(1.0, std::ceil(left * length / limit - no_more)), h = left * length / steps;
-      if (strip.since > 0.0 && strip.used + h / limit > 1.0 + no_more) put_end(strip);
-      strip.used += h / limit;
-      left = steps > 1.0 ? left - left / steps : 0.0;
-      const dvec2 l = glm::mix(piece.to, piece.from.l, left);
-      if (!go_on(strip, left > 0.0 ? at(facet, {piece.from.triangle, l}, piece.direction, side) : last, h)) return false;
-    }
-    return true;
-  }
-
-  std::optional<StripArrival> follow_dark(const FacetPoint& start, const dvec3& incident, DarkStrip strip, double side) {
+  std::optional<StripArrival> follow_dark(DarkStrip strip, double side) {
     put_end(strip);
-    Geodesic geodesic(mesh_, target_.surfaces, target_.curvatures, start, incident);
-    GeodesicPiece piece{start, start.l, incident};
-    bool goes_on = true;
-    while (goes_on && geodesic.next(piece)) goes_on = go_over(strip, piece, side);
-    if (strip.since > 0.0) put_end(strip);
-    if (!goes_on || geodesic.ended_at() < 0 || strip.material != no_index) return {};
-    StripArrival result{0.0,
-                        {piece.from.triangle,
-                         geodesic.ended_at(),
-                         side < 0.0,
-                         strip.end.position,
-                         strip.end.along,
-                         strip.q.position,
-                         strip.path,
-                         {}},
-                        strip.magnetic,
-                        band_.everywhere([&](double k) { return 0.5 * strip.area * currents(strip, k).hard; }),
-                        {}};
+    GeodesicMarch& end = strip.march;
+    while (end.march_to(strip.last + step_limit(strip)) && end.curvature() >= 0.0) {
+      put_end(strip);
+      if (end.way().distance(lowest_) >= last_xi) return {};
+    }
+    if (end.lost() || end.curvature() < 0.0) return {};
+    if (end.distance() > strip.last) put_end(strip);
+    if (end.ended_at() < 0 || strip.material != no_index) return {};
+    StripArrival result{
+        0.0,
+        {end.triangle(), end.ended_at(), side < 0.0, end.position(), end.direction(), strip.q.position, strip.path, {}},
+        strip.magnetic,
+        band_.everywhere([&](double k) { return 0.5 * strip.area * currents(strip, k).hard; }),
+        {}};
     result.weight.resize(wavenumbers_.size());
     return result;
   }

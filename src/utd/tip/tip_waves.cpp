@@ -105,7 +105,7 @@ class WayDown {
   TipSide so_far(bool has_rim) const {
     const double h = march_.distance();
     const double curvature = h > 0.0 ? (begin_ - slope()) / h : 0.0;  // long facets are straight
-    return {march_.position(), march_.normal(), first_ + h, march_.bend(), curvature, has_rim};
+    return {march_.position(), march_.normal(), first_ + h, march_.way().bend(), curvature, has_rim};
   }
 
  private:

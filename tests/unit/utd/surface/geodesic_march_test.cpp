@@ -38,7 +38,7 @@ TEST(GeodesicMarch, WidthAndBendOfAGreatCircle) {
     EXPECT_EQ(march.distance(), distance);
     EXPECT_LE(glm::distance(march.position(), std::cos(distance) * start + std::sin(distance) * sphere.along), 0.02);
     EXPECT_NEAR(march.width().width, std::cos(distance), 0.02);
-    EXPECT_NEAR(march.bend(), distance * std::cbrt(0.5), 0.01 * distance);
+    EXPECT_NEAR(march.way().bend(), distance * std::cbrt(0.5), 0.01 * distance);
     EXPECT_EQ(march.width().caustics, distance > pi / 2 ? 1 : 0);
   }
 }
@@ -52,7 +52,7 @@ TEST(GeodesicMarch, StepsDoNotMatter) {
   ASSERT_TRUE(coarse.march_to(2.0));
   EXPECT_LE(glm::distance(fine.position(), coarse.position()), 2e-3);
   EXPECT_NEAR(fine.width().width, coarse.width().width, 0.01);
-  EXPECT_NEAR(fine.bend(), coarse.bend(), 0.01 * fine.bend());
+  EXPECT_NEAR(fine.way().bend(), coarse.way().bend(), 0.01 * fine.way().bend());
 }
 
 // At a sliver a curvature of 1e6 made 10 km of a chord of a centimetre, and a strip stood there for ever.
@@ -77,7 +77,7 @@ TEST(GeodesicMarch, StandsAtTheEndOfTheSurface) {
   EXPECT_NEAR(march.position().z, 2.0, 1e-9);
   EXPECT_NEAR(march.distance(), 2.0 - start, 1e-9);
   EXPECT_NEAR(march.width().width, 1.0, 1e-9);
-  EXPECT_NEAR(march.bend(), 0.0, 1e-6);
+  EXPECT_NEAR(march.way().bend(), 0.0, 1e-6);
 }
 
 }  // namespace
