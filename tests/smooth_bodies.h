@@ -47,6 +47,24 @@ inline std::vector<double> even_rows(std::uint32_t count) {
   return rows;
 }
 
+/// The distance of an arc from its chord, at `x` from the middle; it meets the chord at `half_angle`.
+inline double arc(double x, double chord, double half_angle) {
+  const double radius = chord / 2 / std::sin(half_angle);
+  return std::sqrt(radius * radius - x * x) - radius * std::cos(half_angle);
+}
+
+/// An arc turned about its chord along x, and flattened across: an ogive, or a leaf with flat tips.
+inline PolygonSoup spindle(double half_angle, double length, double flatness) {
+  PolygonSoup soup = revolution(
+      [=](double x) {
+        const double along = length / 2 * std::cos(pi * x);
+        return dvec2(x == 0.0 || x == 1.0 ? 0.0 : arc(along, length, half_angle), along);
+      },
+      even_rows(60), 72);
+  for (dvec3& p : soup.points) p = {p.z, p.x, flatness * p.y};
+  return soup;
+}
+
 /// An icosahedron whose faces are divided into n^2 triangles each, on the unit sphere.
 inline PolygonSoup geodesic_sphere(std::uint32_t n) {
   const PolygonSoup base = icosphere(0);

@@ -76,8 +76,8 @@ class Result:
 
     @property
     def mechanisms(self) -> xr.Dataset:
-        """S by mechanism [m], complex, one variable each: ``bounce_1``, ``bounce_2``, ..., ``edges_order_1``, ``edges_order_2_on``,
-        ``interaction``, ``surface_waves``; they add up to S to rounding.
+        """S by mechanism [m], complex, one variable each: ``bounce_1``, ``bounce_2``, ..., ``surface_waves``, ``rounded_edges``,
+        ``flat_tips``, ``round_tips``, ``edges_order_1``, ``edges_order_2_on``, ``interaction``; they add up to S to rounding.
 
         Raises
         ------

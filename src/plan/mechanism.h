@@ -71,6 +71,7 @@ struct MechanismEntry {
   const char* label;                                     // in sentences
   const char* key;                                       // of the case, by which it is asked for
   const char* budget_key;                                // of the case, which limits its work; null: none does
+  const char* follows = nullptr;                         // an earlier one, by name, in whose rows it runs; null: in its own
   std::vector<MechanismColumn> columns;                  // of its S
   std::vector<const char*> counts;                       // names of what it counts, in run.json
   MechanismState (*state)(const SolvePlan&);             // whether it takes part

@@ -105,6 +105,7 @@ void Account::tell_mechanism(const MechanismEntry& mechanism, const MechanismSta
         sums.most_reach < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * sums.most_reach) : "";
     leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), sums.beyond);
   }
+  if (mechanism.follows) return tell_counts(sums.counts);  // what it follows tells where both are left out
   if (sums.use.most_db == 0.0) {
     leave_out("there is nothing for it to work on", sums.without);
   } else if (!state.forced) {

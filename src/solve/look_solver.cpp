@@ -118,20 +118,23 @@ class BandSolver {
     std::vector<Contribution> all;
     progress.add(step);
     for (std::size_t i = 0; i < mechanisms_.size(); ++i) {
-      all.push_back(run(i, look, sink));
+      all.push_back(run(i, look, all, sink));
       progress.add(step);
     }
     return all;
   }
 
-  Contribution run(std::size_t i, const TracedLook& look, LookSink& sink) const {
+  Contribution run(std::size_t i, const TracedLook& look, const std::vector<Contribution>& before, LookSink& sink) const {
     if (!mechanisms_[i]) return {};
-    const Prospect prospect = mechanisms_[i]->prospect(look);
-    const Decision decision = decide(prospect, look.tubes, scene_.band.frequencies.size(), scene_.plan.tubes.tolerance_db);
+    const SolvePlan& plan = scene_.plan;
+    const char* const followed = plan.mechanisms[i].follows;
+    const Prospect prospect = followed ? Prospect() : mechanisms_[i]->prospect(look);
+    const Decision decision = followed ? Decision{before[plan.index_of(followed)].ran}
+                                       : decide(prospect, look.tubes, scene_.band.frequencies.size(), plan.tubes.tolerance_db);
     Contribution result;
     if (decision.any()) {
       result = mechanisms_[i]->solve(look, decision.wanted, sink);
-      assert(result.s.size() <= scene_.plan.mechanisms[i].columns.size());
+      assert(result.s.size() <= plan.mechanisms[i].columns.size());
       if (result.ran.empty()) result.ran = decision.wanted;
       if (sink.image) sink.image->mechanisms.resize(sink.image->pieces.size(), i);
     }

@@ -8,6 +8,7 @@
 //     + corner waves along edges                                             (utd/corner/corner_waves.h)
 //     + edge-face interaction: edge-diffracted illumination of other faces   (utd/interaction/edge_face_interaction.h)
 //     + waves over curved surfaces                                           (utd/surface/surface_waves.h)
+//     + rounded edges, and tips that are flat or round                       (utd/rounded/rims.h, utd/tip)
 //     + edges of materials                                                   (utd/fringe/material_edges.h)
 // Screens transmit part of what tubes and edge currents behind them radiate.
 #pragma once

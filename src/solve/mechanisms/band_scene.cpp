@@ -48,6 +48,7 @@ BandScene::BandScene(const SolvePlan& a_plan, const BandPlan& a_band)
       materials(at_frequencies(plan.sweep.materials, band.indices)),
       tubes{plan.target.tracer, plan.target.faces, band.smooth.get(), band.convexity, materials, plan.sweep.radar},
       curved(curved_target(plan, band, materials)),
+      round_tips(curved && plan.surfaces.round_tips ? find_tips(*curved) : std::vector<Tip>()),
       edges(edge_setup(*this)) {}
 
 }  // namespace raytube

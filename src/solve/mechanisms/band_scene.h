@@ -6,6 +6,7 @@
 #include "plan/plan.h"
 #include "sbr/sbr.h"
 #include "utd/edge_sets.h"
+#include "utd/tip/tips.h"
 
 namespace raytube {
 
@@ -19,6 +20,7 @@ struct BandScene {
   std::vector<Material> materials;     // of the sweep, at the band's frequencies
   TubeScene tubes;                     // what tubes meet
   std::optional<CurvedTarget> curved;  // if waves run over surfaces
+  std::vector<Tip> round_tips;         // of these, if wanted
   EdgeSets edges;                      // at the band's frequencies
 };
 

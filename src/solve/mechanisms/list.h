@@ -7,12 +7,17 @@
 
 namespace raytube {
 
-/// Waves over curved surfaces (utd/surface, utd/rounded, utd/tip).
+/// Waves over curved surfaces (utd/surface).
 MechanismEntry surface_waves_entry();
 /// Whether they run in one band.
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band);
 /// The key that switches them on, as a remedy.
 inline constexpr const char* more_surface_waves = "surfaces.waves = true, two to ten times the time of the tubes";
+
+/// What these meet: sharp bends, points in which such bends meet, and tips of cones (utd/rounded, utd/tip).
+MechanismEntry rounded_edges_entry();
+MechanismEntry flat_tips_entry();
+MechanismEntry round_tips_entry();
 
 /// Fringe currents of edges, and what these start at further edges and along plates (utd/fringe, utd/multiple, utd/corner).
 MechanismEntry edge_currents_entry();

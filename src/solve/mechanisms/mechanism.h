@@ -53,8 +53,8 @@ class Mechanism {
  public:
   virtual ~Mechanism() = default;
 
-  /// Cheap beside the tubes.
-  virtual Prospect prospect(const TracedLook& look) const = 0;
+  /// Cheap beside the tubes; not asked for if it follows another mechanism.
+  virtual Prospect prospect(const TracedLook&) const { return {}; }
 
   /// What it adds at the frequencies that are `wanted`; it may clear further flags of `ran`, which are these. Where an
   /// image is asked for it adds its pieces there, and S need not be told.

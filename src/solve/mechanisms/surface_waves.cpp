@@ -8,14 +8,11 @@
 #include <map>
 
 #include "scene/frequency_bands.h"
-#include "solve/mechanisms/band_scene.h"
+#include "solve/mechanisms/beside_waves.h"
 #include "solve/mechanisms/list.h"
 #include "uncertainty/constants.h"
 #include "uncertainty/omissions.h"
 #include "utd/fock/face_impedances.h"
-#include "utd/rounded/rims.h"
-#include "utd/tip/flat_tip_waves.h"
-#include "utd/tip/tip_waves.h"
 
 namespace raytube {
 
@@ -75,19 +72,7 @@ class SurfaceWaveProspect {
 class WavesOverSurfaces : public Mechanism {
  public:
   explicit WavesOverSurfaces(const BandScene& scene)
-      : scene_(scene),
-        frequencies_(scene.band.frequencies),
-        tips_(scene.plan.surfaces.round_tips ? find_tips(*scene.curved) : std::vector<Tip>()),
-        cones_(tips_.begin(), tips_.end()) {
-    std::map<double, std::vector<Nose>> noses;
-    for (const double frequency : frequencies_) {
-      const auto [found, is_new] = noses.try_emplace(longest_nose(frequency));
-      if (is_new) found->second = scene.curved->short_noses(found->first);
-      rims_.push_back(rim_pieces(found->second, wavenumber(frequency)));
-      const long band = band_of(frequency);
-      if (scene.plan.surfaces.flat_tips && !flat_tips_.contains(band))
-        flat_tips_.try_emplace(band, find_flat_tips(*scene.curved, wavelength(middle_of_band(band))));
-    }
+      : scene_(scene), frequencies_(scene.band.frequencies), cones_(scene.round_tips.begin(), scene.round_tips.end()) {
     if (!scene.plan.surfaces.waves.forced()) prospect_.emplace(scene);
   }
 
@@ -110,24 +95,13 @@ class WavesOverSurfaces : public Mechanism {
     std::vector<double> frequencies;
     for (std::size_t f = 0; f < wanted.size(); ++f)
       if (wanted[f]) indices.push_back(f), frequencies.push_back(frequencies_[f]);
-    const bool in_image = sink.image != nullptr && wanted[sink.image->frequency_index];
-    StripPlaces places{};
-    if (in_image && sink.image->by_path) places.by_path = PathPlace{look_vectors(traced.look).scattered};
-    if (in_image)
-      places.wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
-    const std::optional<AntennaPair> antennas = antennas_of(traced.look);
-    SurfaceWaveResult found = surface_wave_scattering(*scene_.curved, local(traced.look, antennas), frequencies,
-                                                      in_image ? &places : nullptr, nullptr, cones_);
-    LocalLook rim_look = local(traced.look, antennas);
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      const double k = wavenumber(frequencies[i]);
-      StripPlaces* of_image = in_image && places.wavenumber == i ? &places : nullptr;
-      found.scattering[i] += rim_scattering(*scene_.curved, rims_[indices[i]], rim_look, k, of_image);
-      if (const auto flat = flat_tips_.find(band_of(frequencies[i])); flat != flat_tips_.end())
-        found.scattering[i] += flat->second.scattering(*scene_.curved, rim_look, k, of_image);
-    }
-    add_tips(rim_look, frequencies, in_image ? &places : nullptr, found.scattering);
-    if (in_image) std::ranges::move(places.pieces, std::back_inserter(sink.image->pieces));
+    std::optional<StripPlaces> places = places_in_image(traced.look, wanted, sink);
+    if (places)
+      places->wavenumber = static_cast<std::size_t>(std::ranges::find(indices, sink.image->frequency_index) - indices.begin());
+    const LookFromAntennas look(scene_, traced.look);
+    SurfaceWaveResult found =
+        surface_wave_scattering(*scene_.curved, look.local, frequencies, places ? &*places : nullptr, nullptr, cones_);
+    if (places) std::ranges::move(places->pieces, std::back_inserter(sink.image->pieces));
     for (SurfaceArrival& arrival : found.arrivals) {
       arrival.magnetic = spread(arrival.magnetic, indices);
       sink.arrivals.push_back(std::move(arrival));
@@ -140,9 +114,8 @@ class WavesOverSurfaces : public Mechanism {
 
   void trace(const Look& look, std::vector<SurfaceArrival>& arrivals, std::vector<SurfaceRay>& rays) const override {
     const std::size_t first = rays.size();
-    const std::optional<AntennaPair> antennas = antennas_of(look);
     SurfaceWaveResult waves =
-        surface_wave_scattering(*scene_.curved, local(look, antennas), frequencies_, nullptr, &rays, cones_);
+        surface_wave_scattering(*scene_.curved, LookFromAntennas(scene_, look).local, frequencies_, nullptr, &rays, cones_);
     arrivals = std::move(waves.arrivals);
     for (std::size_t i = first; i < rays.size(); ++i) keep_points_apart(rays[i], ray_step * wavelength(frequencies_.front()));
   }
@@ -163,25 +136,6 @@ class WavesOverSurfaces : public Mechanism {
     return look.transmit == look.receive ? amplitude : std::max(amplitude, prospect_->amplitude(from_receiver, band));
   }
 
-  std::optional<AntennaPair> antennas_of(const Look& look) const {
-    if (look.far()) return {};
-    return AntennaPair(look, scene_.plan.sweep.radar, scene_.plan.target.mesh.center);
-  }
-
-  void add_tips(LocalLook& look, std::span<const double> frequencies, StripPlaces* places,
-                std::vector<ScatteringMatrix>& scattering) const {
-    std::vector<double> wavenumbers;
-    for (const double f : frequencies) wavenumbers.push_back(wavenumber(f));
-    const std::vector<ScatteringMatrix> s = tip_scattering(*scene_.curved, tips_, look, wavenumbers, places);
-    for (std::size_t i = 0; i < s.size(); ++i) scattering[i] += s[i];
-  }
-
-  // Refers to the antennas.
-  LocalLook local(const Look& look, const std::optional<AntennaPair>& antennas) const {
-    if (!antennas) return look_vectors(look);
-    return NearLook(near_antennas(*antennas), wavenumber(sampling_frequency(frequencies_)), scene_.plan.target.mesh.radius);
-  }
-
   double tolerances() const {
     if (is_convex()) return 1.0;
     const double edges = scene_.band.wave_surfaces->boundary_length() / wavelength(sampling_frequency(frequencies_));
@@ -198,10 +152,7 @@ class WavesOverSurfaces : public Mechanism {
 
   const BandScene& scene_;
   std::span<const double> frequencies_;
-  std::vector<Tip> tips_;
-  std::vector<ConicalTip> cones_;
-  std::map<long, FlatTipWaves> flat_tips_;       // by band_of()
-  std::vector<std::vector<RimPiece>> rims_;      // [frequency]
+  std::vector<ConicalTip> cones_;                // that narrow strips
   std::optional<SurfaceWaveProspect> prospect_;  // unless they run in any case
 };
 
@@ -246,7 +197,7 @@ bool waves_run_over_all_materials(const SolvePlan& plan) {
 }
 
 void tell_waves(const SolvePlan& plan, const Contribution& waves, std::size_t frequency, RowEvidence& row) {
-  row.surface_waves = waves.at(0, frequency);
+  tell_beside_waves(plan, waves, frequency, row);
   row.has_surface_waves = waves.ran_at(frequency) && waves_run_over_all_materials(plan);
 }
 
@@ -268,9 +219,6 @@ std::string remedy_of_smooth_surfaces(const SolvePlan& plan, const MechanismShow
   return shown.looks_without > 0 ? more_surface_waves : none;
 }
 
-// No current on a curved surface is stronger than on a plane.
-double bound_of_waves(const AmplitudeLimits& limits) { return limits.surface; }
-
 }  // namespace
 
 bool has_surface_waves(const SolvePlan& plan, const BandPlan& band) {
@@ -282,7 +230,7 @@ MechanismEntry surface_waves_entry() {
           .label = "waves over curved surfaces",
           .key = "surfaces.waves",
           .budget_key = nullptr,
-          .columns = {{"surface_waves", "waves over curved surfaces (surfaces.waves)", bound_of_waves}},
+          .columns = {{"surface_waves", "waves over curved surfaces (surfaces.waves)", bound_on_curved_surfaces}},
           .counts = {"surface_strips"},
           .state = state_of_waves,
           .make = make_waves,

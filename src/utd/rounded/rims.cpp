@@ -6,6 +6,7 @@
 #include "scene/frequency_bands.h"
 #include "utd/rounded/nose_table.h"
 #include "utd/rounded/rounded_edge.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 
@@ -95,9 +96,9 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   return pieces;
 }
 
-ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimPiece> pieces, LocalLook& look, double wavenumber,
-                                StripPlaces* places) {
-  ScatteringMatrix sum;
+CountedSum rim_scattering(const CurvedTarget& target, std::span<const RimPiece> pieces, LocalLook& look, double wavenumber,
+                          StripPlaces* places) {
+  CountedSum sum;
   for (const RimPiece& piece : pieces) {
     const dvec3& position = piece.nose.position;
     const LookVectors& here = look.at(position);
@@ -106,7 +107,8 @@ ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimP
     if (share <= 0.0 || !target.is_lit(position, piece.nose.outwards, here.incident)) continue;
     ScatteringMatrix s = nose_amplitude(piece.nose, here, wavenumber);
     s *= std::polar(piece.length * share, wavenumber * look.both(position));
-    sum += s;
+    sum.s += s;
+    sum.count(1, work::rim_piece);
     if (places != nullptr) places->pieces.push_back({position, position, s});
   }
   return sum;

@@ -23,8 +23,8 @@ double longest_nose(double frequency);
 /// Those of a target at a wavenumber, short beside the wavelength as the facets of its noses are.
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber);
 
-/// S of what rims add to the physical optics of their surfaces [m].
-ScatteringMatrix rim_scattering(const CurvedTarget& target, std::span<const RimPiece> pieces, LocalLook& look, double wavenumber,
-                                StripPlaces* places);
+/// What rims add to the physical optics of their surfaces, and of how many lit pieces it is the sum.
+CountedSum rim_scattering(const CurvedTarget& target, std::span<const RimPiece> pieces, LocalLook& look, double wavenumber,
+                          StripPlaces* places);
 
 }  // namespace raytube

@@ -19,6 +19,16 @@ struct StripPlaces {
   std::vector<ImageEdge> pieces{};
 };
 
+/// S of a look at one wavenumber [m], of how many points, pieces or ways it is the sum, and their work (utd/wedge/work.h).
+struct CountedSum {
+  ScatteringMatrix s{};
+  std::uint64_t terms = 0;
+  double work = 0.0;
+
+  /// So many terms of the same work each.
+  void count(std::uint64_t more, double each) { terms += more, work += each * static_cast<double>(more); }
+};
+
 /// Adds up amplitude e^{jk path} along strips, point after point; path and amplitude are linear between them (Filon's rule with
 /// two points), but for the root of the strip's width in the amplitude, whose mean is that of a linear width. Keeps a reference
 /// to `sum`.

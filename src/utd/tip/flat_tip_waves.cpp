@@ -8,6 +8,7 @@
 #include "math/smooth_step.h"
 #include "math/special/elementary.h"
 #include "utd/fock/fock.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 
@@ -190,6 +191,7 @@ class FlatTipWaves::Sum {
     const Complex back(0.0, -wavelength());
     const std::array<Waves, 2> sent{transmitter_.arriving(tip, 0), transmitter_.arriving(tip, 1)};
     const std::array<Waves, 2> received{receiver_.arriving(tip, 0), receiver_.arriving(tip, 1)};
+    for (const Rim& rim : tip.rims) sum_.count(2 * rim.places.size(), work::flat_tip_point);  // for either antenna
     for (int a = 0; a < 2; ++a) {
       put(tip.position, back * r.same, received[a], sent[a]);
       put(tip.position, back * r.other, received[1 - a], sent[a]);
@@ -206,7 +208,7 @@ class FlatTipWaves::Sum {
         transmitter_.starting(tip, rim));
   }
 
-  ScatteringMatrix take() const { return sum_; }
+  const CountedSum& sum() const { return sum_; }
 
  private:
   double wavelength() const { return 2 * pi / wavenumber_; }
@@ -220,7 +222,7 @@ class FlatTipWaves::Sum {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
       for (int t = 0; t < 2; ++t) s.at(p, t) = factor * received[p] * sent[t];
-    sum_ += s;
+    sum_.s += s;
     if (places_ != nullptr) places_->pieces.push_back({place, place, s});
   }
 
@@ -228,17 +230,16 @@ class FlatTipWaves::Sum {
   const double wavenumber_;
   const Visit transmitter_, receiver_;
   StripPlaces* places_;
-  ScatteringMatrix sum_;
+  CountedSum sum_;
 };
 
-ScatteringMatrix FlatTipWaves::scattering(const CurvedTarget& target, LocalLook& look, double wavenumber,
-                                          StripPlaces* places) const {
+CountedSum FlatTipWaves::scattering(const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places) const {
   Sum sum(*this, target, look, wavenumber, places);
   for (std::uint32_t i = 0; i < tips_.size(); ++i) {
     sum.add_returns(i);
     for (std::uint32_t rim = 0; rim < 2; ++rim) sum.add_way(tips_[i], rim);
   }
-  return sum.take();
+  return sum.sum();
 }
 
 }  // namespace raytube

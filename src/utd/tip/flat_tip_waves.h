@@ -25,8 +25,9 @@ class FlatTipWaves {
  public:
   explicit FlatTipWaves(std::vector<FlatTip> tips);
 
-  /// S of all of them [m].
-  ScatteringMatrix scattering(const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places) const;
+  /// Of all of them, and over how many points of rims it is the sum.
+  CountedSum scattering(const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places) const;
+  bool empty() const { return tips_.empty(); }
 
  private:
   /// r of waves along an edge: back along it, and into the other one.

@@ -8,6 +8,7 @@
 #include "utd/fock/fock.h"
 #include "utd/surface/geodesic_march.h"
 #include "utd/tip/tip_table.h"
+#include "utd/wedge/work.h"
 
 namespace raytube {
 
@@ -204,8 +205,8 @@ Complex both_shares(const TipRay& near, const std::optional<TipRay>& far, double
 
 class TipSum {
  public:
-  TipSum(const CurvedTarget& target, LocalLook& look, std::span<const double> wavenumbers, StripPlaces* places)
-      : target_(target), look_(look), wavenumbers_(wavenumbers), places_(places), sum_(wavenumbers.size()) {}
+  TipSum(const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places)
+      : target_(target), look_(look), k_(wavenumber), places_(places) {}
 
   // The wave goes to the tip and comes from it as the two antennas see it, each by itself: the same either way round. Between
   // them the cone's amplitude is the mean of what it is for either, and that of one antenna where they stand together.
@@ -216,51 +217,50 @@ class TipSum {
     const bool together = in->towards == out->towards;
     const Complex at_cone = std::sqrt(fade(in->behind) * fade(out->behind)) * 0.5 *
                             (amplitude(tip.half_angle, in->beyond()) + amplitude(tip.half_angle, out->beyond()));
-    for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
-      const double k = wavenumbers_[i];
-      const std::optional<Complex> arriving = share(*in, k, [&](const dvec3& point) { return look_.arriving(point); });
-      const std::optional<Complex> leaving =
-          together ? arriving : share(*out, k, [&](const dvec3& point) { return look_.leaving(point); });
-      if (arriving && leaving) put(i, here, *in, *out, at_cone * *arriving * *leaving / k);
-    }
+    const std::optional<Complex> arriving = share(*in, [&](const dvec3& point) { return look_.arriving(point); });
+    const std::optional<Complex> leaving =
+        together ? arriving : share(*out, [&](const dvec3& point) { return look_.leaving(point); });
+    if (arriving && leaving) put(here, *in, *out, at_cone * *arriving * *leaving / k_);
   }
 
-  std::vector<ScatteringMatrix> take() { return std::move(sum_); }
+  const CountedSum& sum() const { return sum_; }
 
  private:
   // Of the current at the tip, over that on a flat side.
   template <class Phase>
-  std::optional<Complex> share(const TipLook& seen, double k, Phase phase) const {
-    const std::optional<TipRay> near = ray_along(target_, seen, 1.0, phase, 2 * pi / k);
+  std::optional<Complex> share(const TipLook& seen, Phase phase) {
+    sum_.count(1, work::round_tip_side);
+    const std::optional<TipRay> near = ray_along(target_, seen, 1.0, phase, 2 * pi / k_);
     if (!near) return std::nullopt;
-    const std::optional<TipRay> far = ray_along(target_, seen, -1.0, phase, 2 * pi / k);
+    sum_.count(1, work::round_tip_side);
+    const std::optional<TipRay> far = ray_along(target_, seen, -1.0, phase, 2 * pi / k_);
     if (near->side.has_rim && near->dark && !far) return std::nullopt;  // alone it has no bound on the axis
-    return both_shares(*near, far, k, target_.tracer.mesh().radius);
+    return both_shares(*near, far, k_, target_.tracer.mesh().radius);
   }
 
-  void put(std::size_t i, const LookVectors& look, const TipLook& in, const TipLook& out, const Complex& value) {
+  void put(const LookVectors& look, const TipLook& in, const TipLook& out, const Complex& value) {
     ScatteringMatrix s;
     for (int p = 0; p < 2; ++p)
       for (int t = 0; t < 2; ++t)
         s.at(p, t) = value * glm::dot(look.receive[p], out.in_plane()) * glm::dot(look.electric[t], in.in_plane());
-    sum_[i] += s;
-    if (places_ != nullptr && places_->wavenumber == i) places_->pieces.push_back({in.tip.position, in.tip.position, s});
+    sum_.s += s;
+    if (places_ != nullptr) places_->pieces.push_back({in.tip.position, in.tip.position, s});
   }
 
   const CurvedTarget& target_;
   LocalLook& look_;
-  std::span<const double> wavenumbers_;
+  const double k_;
   StripPlaces* places_;
-  std::vector<ScatteringMatrix> sum_;
+  CountedSum sum_;
 };
 
 }  // namespace
 
-std::vector<ScatteringMatrix> tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look,
-                                             std::span<const double> wavenumbers, StripPlaces* places) {
-  TipSum sum(target, look, wavenumbers, places);
+CountedSum tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look, double wavenumber,
+                          StripPlaces* places) {
+  TipSum sum(target, look, wavenumber, places);
   for (const Tip& tip : tips) sum.add(tip);
-  return sum.take();
+  return sum.sum();
 }
 
 }  // namespace raytube

@@ -11,8 +11,9 @@
 
 namespace raytube {
 
-/// S [m] at each wavenumber. Valid for one antenna, and for two where the cone's amplitude differs little from one to the other.
-std::vector<ScatteringMatrix> tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look,
-                                             std::span<const double> wavenumbers, StripPlaces* places);
+/// What tips send back, and along how many of their sides waves were followed. Valid for one antenna, and for two where the
+/// cone's amplitude differs little from one to the other.
+CountedSum tip_scattering(const CurvedTarget& target, std::span<const Tip> tips, LocalLook& look, double wavenumber,
+                          StripPlaces* places);
 
 }  // namespace raytube

@@ -40,6 +40,11 @@ inline constexpr double surface_frequency = 100.0;  // the current there, at one
 inline constexpr double lit_point = 250.0;          // one point of the lit side
 inline constexpr double lit_frequency = 50.0;       // the current there, at one frequency
 
+// Beside them (utd/rounded, utd/tip), at one frequency.
+inline constexpr double rim_piece = 90000.0;       // one lit piece of a rounded edge
+inline constexpr double flat_tip_point = 250.0;    // one point of a rim before a flat tip, for one antenna
+inline constexpr double round_tip_side = 70000.0;  // one side of a round tip, as one antenna sees it
+
 inline constexpr double blocker_ray = 1500.0;  // one ray that looks for what blocks a wave
 
 }  // namespace raytube::work

@@ -25,12 +25,6 @@ const Switch flat_tips{"surfaces.flat_tips", [](SolveOptions& o) { o.surfaces.fl
 const Switch round_tips{"surfaces.round_tips", [](SolveOptions& o) { o.surfaces.round_tips = false; }};
 const std::vector<Switch> all{plates, solids, thin_ends, rounded_edges, flat_tips, round_tips};
 
-// Two arcs of half a chord each, as an outline or as half of one.
-double arc(double x, double chord, double half_angle) {
-  const double radius = chord / 2 / std::sin(half_angle);
-  return std::sqrt(radius * radius - x * x) - radius * std::cos(half_angle);
-}
-
 PolygonSoup lens_wing() {
   constexpr int pieces = 24;
   constexpr double chord = 3.0, half_angle = 10 * degree;
@@ -38,21 +32,10 @@ PolygonSoup lens_wing() {
   for (int side : {-1, 1})
     for (int i = 0; i < pieces; ++i) {
       const double x = side * chord * (i / double(pieces) - 0.5);
-      outline.emplace_back(-x, i == 0 ? 0.0 : side * arc(x, chord, half_angle));
+      outline.emplace_back(-x, i == 0 ? 0.0 : side * shapes::arc(x, chord, half_angle));
     }
   if (outline[1].y > 0.0) std::ranges::reverse(outline);
   return shapes::prism(outline, -1.5, 1.5);
-}
-
-PolygonSoup spindle(double half_angle, double length, double flatness) {
-  PolygonSoup soup = shapes::revolution(
-      [=](double x) {
-        const double along = length / 2 * std::cos(pi * x);
-        return dvec2(x == 0.0 || x == 1.0 ? 0.0 : arc(along, length, half_angle), along);
-      },
-      shapes::even_rows(60), 72);
-  for (dvec3& p : soup.points) p = {p.z, p.x, flatness * p.y};
-  return soup;
 }
 
 std::vector<ScatteringMatrix> solved(const PolygonSoup& body, const Switch* off) {
@@ -80,8 +63,8 @@ TEST(Switches, TakeAwayTheirMechanismAndNothingElse) {
   const Body bodies[] = {{"plate", shapes::plate(3.0), {plates}},
                          {"cube", shapes::cube(2.0), {solids}},
                          {"lens wing", lens_wing(), {thin_ends}},
-                         {"leaf", spindle(25 * degree, 4.0, 1.0 / 3), {rounded_edges, flat_tips}},
-                         {"ogive", spindle(22.6 * degree, 5.0, 1.0), {round_tips}},
+                         {"leaf", shapes::spindle(25 * degree, 4.0, 1.0 / 3), {rounded_edges, flat_tips}},
+                         {"ogive", shapes::spindle(22.6 * degree, 5.0, 1.0), {round_tips}},
                          {"sphere", shapes::icosphere(4, 1.5), {}}};
   constexpr double unnoticed = 1e-6;  // shares of rounded edges fade: at the tips of the ogive 1e-7 of them is left
   constexpr double noticed = 1e-3;    // wavelengths: a hundredth of what each of them adds at one of the looks, or less

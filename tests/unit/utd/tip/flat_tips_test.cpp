@@ -45,7 +45,7 @@ struct Leaf {
 ScatteringMatrix waves_of(const Leaf& leaf, const Look& look) {
   const FlatTipWaves waves(find_flat_tips(leaf.target, wavelength(frequency)));
   LocalLook local(look_vectors(look));
-  return waves.scattering(leaf.target, local, wavenumber(frequency), nullptr);
+  return waves.scattering(leaf.target, local, wavenumber(frequency), nullptr).s;
 }
 
 TEST(FlatTips, AreWhereRimsMeet) {
@@ -96,7 +96,7 @@ TEST(FlatTips, PiecesHaveThePlacesOfTheirPaths) {
   const LookVectors look = look_vectors({{60 * degree, 0.0}, {60 * degree, 0.0}});
   StripPlaces places{0, PathPlace{look.scattered}};
   LocalLook local(look);
-  const ScatteringMatrix all = FlatTipWaves(tips).scattering(leaf.target, local, wavenumber(frequency), &places);
+  const ScatteringMatrix all = FlatTipWaves(tips).scattering(leaf.target, local, wavenumber(frequency), &places).s;
   ScatteringMatrix sum;
   bool found = false;
   for (const ImageEdge& piece : places.pieces) {
