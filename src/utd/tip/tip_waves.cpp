@@ -133,7 +133,7 @@ std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, 
   const TipSide bent = way.so_far(false);
   while (way.is_straight())
     if (!way.go_on()) return side_to_rim(way, wavelength).value_or(bent);
-  return bent;
+  return seen.in_the_dark(sign) ? bent : way.so_far(false);
 }
 
 // A of tip_table.h, bilinear.
@@ -185,11 +185,28 @@ Complex behind_rim(const TipRay& ray, double k) {
   return ray.dark ? ray.narrowed * half : 1.0 - std::polar(1.0, -x * x) * half;
 }
 
-// The hard current at the tip, in units of that on a flat side.
+/// A way as an arc and a straight stretch before the tip.
+struct BentWay {
+  double straight;   // [m]
+  double curvature;  // of the arc [1/m]
+};
+
+// INT kappa^(2/3) ds cubed over (INT kappa ds)^2 is the length of an arc, and of any other way less than its own (Hoelder).
+BentWay bent_way(const TipSide& side, double radius) {
+  const double turn = side.curvature * side.length, arc = 2.0 * std::pow(side.bend, 3) / std::pow(turn, 2);
+  if (turn <= 0.0 || !(arc > 0.0) || arc >= side.length) return {0.0, std::max(side.curvature, least_bend / radius)};
+  return {side.length - arc, turn / arc};
+}
+
+// The hard current at the tip, in units of that on a flat side. Fock's of an arc goes on over a straight stretch, as of a cone
+// behind a sphere, as a wave does behind the edge of a half plane (Sommerfeld 1896): to none in the dark, in the light to all.
 Complex share_of(const TipRay& ray, double k, double radius) {
   if (ray.side.has_rim) return behind_rim(ray, k);
-  if (ray.dark) return 0.5 * ray.narrowed * fock_in_the_dark(std::cbrt(k) * ray.side.bend).hard;
-  return fock_factors(-std::cbrt(0.5 * k / std::max(ray.side.curvature, least_bend / radius)) * std::sin(ray.above)).hard;
+  const BentWay way = bent_way(ray.side, radius);
+  const double x = std::sqrt(2.0 * k * way.straight) * std::abs(std::sin(0.5 * ray.above));
+  if (ray.dark) return 0.5 * ray.narrowed * scaled_erfc(x) * fock_in_the_dark(std::cbrt(k) * ray.side.bend).hard;
+  const Complex on_arc = fock_factors(-std::cbrt(0.5 * k / way.curvature) * std::sin(ray.above)).hard;
+  return 1.0 - (1.0 - on_arc) * std::polar(1.0, -x * x) * scaled_erfc(x);
 }
 
 // Both rays, one way: e^{jx} and -j e^{-jx}, made uniform on the axis, where they meet, by the Hankel functions of order 1 whose
