@@ -19,8 +19,8 @@ constexpr double step = 1.0 / 16.0, over = 1.0;                       // of the 
 constexpr double least_bend = 1e-6;                                   // times the target's radius
 constexpr double straight = 0.02;                                     // of the normal, until the rim [rad]
 
-/// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength; to its rim if it is
-/// straight until there.
+/// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength, in the light until it
+/// bends; to its rim if it is straight until there.
 struct TipSide {
   dvec3 position, normal;  // at its end
   double length;           // from the tip [m]
@@ -177,36 +177,33 @@ std::optional<TipRay> ray_along(const CurvedTarget& target, const TipLook& seen,
   return TipRay{*side, seen.above(sign), phase(side->position) - side->length, narrowed, true};
 }
 
-// Behind the edge of a half plane (Sommerfeld 1896): erfc(-e^{j pi/4} x)/2 with x = sqrt(2 k L) sin(above/2), in the dark over
-// the phase e^{-jx^2} of the way over the edge.
-Complex behind_rim(const TipRay& ray, double k) {
-  const double x = std::sqrt(2.0 * k * ray.side.length) * std::abs(std::sin(0.5 * ray.above));
-  const Complex half = 0.5 * scaled_erfc(x);
-  return ray.dark ? ray.narrowed * half : 1.0 - std::polar(1.0, -x * x) * half;
-}
-
-/// A way as an arc and a straight stretch before the tip.
+/// A way to a tip as a bend and a straight stretch behind it.
 struct BentWay {
-  double straight;   // [m]
-  double curvature;  // of the arc [1/m]
+  double straight_length;  // [m]
+  Complex on_bend;         // the hard current there, in units of that on a flat side
 };
 
-// INT kappa^(2/3) ds cubed over (INT kappa ds)^2 is the length of an arc, and of any other way less than its own (Hoelder).
-BentWay bent_way(const TipSide& side, double radius) {
+// An edge has what is between the light and the dark, an arc Fock's current. INT kappa^(2/3) ds cubed over (INT kappa ds)^2 is
+// the length of an arc, and of any other way less than its own (Hoelder).
+BentWay bent_way(const TipRay& ray, double k, double radius) {
+  const TipSide& side = ray.side;
+  if (side.has_rim) return {side.length, 0.5};
   const double turn = side.curvature * side.length, arc = 2.0 * std::pow(side.bend, 3) / std::pow(turn, 2);
-  if (turn <= 0.0 || !(arc > 0.0) || arc >= side.length) return {0.0, std::max(side.curvature, least_bend / radius)};
-  return {side.length - arc, turn / arc};
+  const bool is_arc = turn <= 0.0 || !(arc > 0.0) || arc >= side.length;
+  const double behind = is_arc ? 0.0 : side.length - arc,
+               curvature = is_arc ? std::max(side.curvature, least_bend / radius) : turn / arc;
+  if (ray.dark) return {behind, 0.5 * fock_in_the_dark(std::cbrt(k) * side.bend).hard};
+  return {behind, fock_factors(-std::cbrt(0.5 * k / curvature) * std::sin(ray.above)).hard};
 }
 
-// The hard current at the tip, in units of that on a flat side. Fock's of an arc goes on over a straight stretch, as of a cone
-// behind a sphere, as a wave does behind the edge of a half plane (Sommerfeld 1896): to none in the dark, in the light to all.
+// The hard current at the tip, in units of that on a flat side. What the bend has goes on as a wave does behind the edge of a
+// half plane (Sommerfeld 1896), erfc(-e^{j pi/4} x)/2 with x = sqrt(2 k L) sin(above/2): to none in the dark, over the phase
+// e^{-jx^2} of the way over the bend, to all in the light. Valid when the straight stretch L is long, k L >> 1, or none.
 Complex share_of(const TipRay& ray, double k, double radius) {
-  if (ray.side.has_rim) return behind_rim(ray, k);
-  const BentWay way = bent_way(ray.side, radius);
-  const double x = std::sqrt(2.0 * k * way.straight) * std::abs(std::sin(0.5 * ray.above));
-  if (ray.dark) return 0.5 * ray.narrowed * scaled_erfc(x) * fock_in_the_dark(std::cbrt(k) * ray.side.bend).hard;
-  const Complex on_arc = fock_factors(-std::cbrt(0.5 * k / way.curvature) * std::sin(ray.above)).hard;
-  return 1.0 - (1.0 - on_arc) * std::polar(1.0, -x * x) * scaled_erfc(x);
+  const BentWay way = bent_way(ray, k, radius);
+  const double x = std::sqrt(2.0 * k * way.straight_length) * std::abs(std::sin(0.5 * ray.above));
+  const Complex left = scaled_erfc(x);
+  return ray.dark ? ray.narrowed * way.on_bend * left : 1.0 - (1.0 - way.on_bend) * std::polar(1.0, -x * x) * left;
 }
 
 // Both rays, one way: e^{jx} and -j e^{-jx}, made uniform on the axis, where they meet, by the Hankel functions of order 1 whose
