@@ -1,14 +1,12 @@
 #include "utd/edge_sets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
-#include "scene/frequency_bands.h"
-#include "utd/interaction/pair_price.h"
 #include "utd/wedge/near_look.h"
 
 namespace raytube {
@@ -44,8 +42,6 @@ EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
   if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, *set.wedges);
   return set;
 }
-
-bool EdgeSets::Set::has_few_pairs() const { return parts.axes.size() * parts.patches.size() <= few_pairs; }
 
 void EdgeSets::Set::keep(const std::vector<bool>& wanted) {
   const std::vector<std::size_t> all_indices = std::exchange(indices, {});
@@ -93,16 +89,19 @@ void EdgeSets::prepare_interaction() {
     set.parts = std::move(parts);
     set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
     for (const InteractionGroup& group : set.interaction) {
-      set.reach.push_back(reach_of(set.parts, group));
-      set.price.push_back(0.0);
+      set.plans.push_back(plan_of(set.parts, group));
       std::vector<std::size_t>& indices = set.group_indices.emplace_back();
       for (const std::size_t i : group.indices) indices.push_back(set.indices[i]);
-      if (!set.has_few_pairs())
-        set.price.back() = price_of_pair(interaction_scene(set, group), wavenumber(sampling_frequency(group.frequencies)));
     }
   }
   std::ranges::move(without, std::back_inserter(sets_));
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
+}
+
+PairPlan EdgeSets::plan_of(const InteractionParts& parts, const InteractionGroup& group) const {
+  if (std::isinf(setup_.interaction_work) || parts.axes.size() * parts.patches.size() <= few_pairs) return {};
+  const std::span large = std::span(parts.by_area).first(group.large_faces);
+  return {{parts.axes, group.shortest_axis, setup_.tracer.mesh(), parts.patches, large}, setup_.interaction_work};
 }
 
 bool EdgeSets::radiates(const Wedge& wedge) const { return wedge.radiates() || (materials_ && materials_->radiates(wedge)); }
@@ -227,44 +226,25 @@ std::vector<bool> EdgeSets::interacting() const {
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const auto number = static_cast<std::size_t>(&group - set.interaction.data());
-  const ReceivingFaces faces{setup_.faces,
-                             group.large,
-                             parts.corners,
-                             {},
-                             std::span(parts.by_area).first(group.large_faces),
-                             std::span(parts.areas).first(group.large_faces),
-                             {setup_.materials, set.group_indices[number]}};
-  return {{*set.wedges, *set.outlines, setup_.tracer},
-          faces,
-          parts.axes,
-          group.shortest_axis,
-          parts.patches,
-          &set.reach[number],
-          set.price[number]};
+  const ReceivingFaces faces{setup_.faces, group.large, parts.corners, {}, {setup_.materials, set.group_indices[number]}};
+  return {{*set.wedges, *set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches, set.plans[number]};
 }
 
-InteractionOptions EdgeSets::interaction_options(const Set& set, const InteractionLimits& limits) const {
-  const double work = set.has_few_pairs() ? std::numeric_limits<double>::infinity() : limits.work;
-  return {setup_.fringe.order, limits.tolerance, work, limits.antennas};
-}
-
-std::vector<double> EdgeSets::interaction_reach(const InteractionLimits& limits) const {
+std::vector<double> EdgeSets::interaction_reach() const {
   std::vector<double> reach(setup_.frequencies.size(), 0.0);
   for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction) {
-      const double of_group = reach_of(interaction_scene(set, group), interaction_options(set, limits));
-      for (const std::size_t i : group.indices) reach[set.indices[i]] = of_group;
-    }
+    for (const InteractionGroup& group : set.interaction)
+      for (const std::size_t i : group.indices) reach[set.indices[i]] = interaction_scene(set, group).plan.reach();
   return reach;
 }
 
 InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
+  const InteractionOptions options{setup_.fringe.order, limits.tolerance, limits.antennas};
   for (const Set& set : sets_)
     for (const InteractionGroup& group : set.interaction) {
       const InteractionScene scene = interaction_scene(set, group);
-      const InteractionOptions options = interaction_options(set, limits);
-      if (reach_of(scene, options) >= limits.least_reach)
+      if (scene.plan.reach() >= limits.least_reach)
         put(set, group, interaction_scattering(scene, look, group.frequencies, options), all);
     }
   return all;
@@ -272,8 +252,8 @@ InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimit
 
 void EdgeSets::put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const {
   all.work += part.work;
-  all.pairs += part.pairs;
-  all.skipped += part.skipped;
+  all.pairs += part.pairs, all.pairs_left_out += part.pairs_left_out;
+  all.reflected_pairs_left_out += part.reflected_pairs_left_out;
   if (part.scattering.empty()) return;
   all.scattering.resize(setup_.frequencies.size());
   all.error.resize(setup_.frequencies.size());
@@ -293,10 +273,12 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
     for (const InteractionGroup& group : set.interaction)
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
-        const InteractionScene scene = interaction_scene(set, group);
-        const InteractionOptions options = interaction_options(set, limits);
-        if (reach_of(scene, options) < limits.least_reach) return {};
-        return raytube::interaction_pieces(scene, look, group.frequencies, i, options, by_path);
+        InteractionScene scene = interaction_scene(set, group);
+        if (scene.plan.reach() < limits.least_reach) return {};
+        scene.faces.materials.frequencies = scene.faces.materials.frequencies.subspan(i, 1);
+        return raytube::interaction_pieces(scene, look, group.frequencies[i],
+                                           {setup_.fringe.order, limits.tolerance, limits.antennas},
+                                           by_path ? InteractionApart::by_path : InteractionApart::by_edges);
       }
   return {};
 }

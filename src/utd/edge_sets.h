@@ -1,6 +1,7 @@
 // The edges of a target at every frequency of a sweep: which plates are thin depends on the wavelength.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,9 +20,10 @@ namespace raytube {
 struct EdgeSetup {
   const Tracer& tracer;  // with the mesh
   const FaceTree& faces;
-  std::vector<WedgeSet> wedges;           // sharp edges, at all of the frequencies
-  std::span<const double> frequencies;    // [Hz]
-  bool interaction = false;               // whether edges illuminate other faces
+  std::vector<WedgeSet> wedges;                                       // sharp edges, at all of the frequencies
+  std::span<const double> frequencies;                                // [Hz]
+  bool interaction = false;                                           // whether edges illuminate other faces
+  double interaction_work = std::numeric_limits<double>::infinity();  // that it may take in a look at one frequency (work.h)
   std::span<const Material> materials{};  // of the mesh, at the frequencies; empty: perfect conductors alone
   bool material_edges = true;             // whether edges of materials count
   bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
@@ -36,12 +38,11 @@ struct WavesAtEdges {
   std::vector<bool> running{};  // [frequency] at which they run; at others strips of edges run straight. Empty: at none
 };
 
-/// What edge-face interaction of one look may leave and take.
+/// How edge-face interaction of one look is computed.
 struct InteractionLimits {
   double tolerance;                        // of its quadrature [m]
-  double work;                             // counted (utd/wedge/work.h), at one frequency; bodies of few parts are computed whole
+  double least_reach = 0.0;                // groups of frequencies whose plans reach less are left out
   const NearAntennas* antennas = nullptr;  // of InteractionOptions
-  double least_reach = 0.0;                // groups of frequencies of which it reaches less are left out
 };
 
 /// Frequencies at which the same plates are thin share a set of edges; no set depends on the others.
@@ -80,7 +81,7 @@ class EdgeSets {
   std::vector<bool> interacting() const;
 
   /// Share of the squares expected of it that the work allowed reaches, at each frequency; 0 where there is none.
-  std::vector<double> interaction_reach(const InteractionLimits& limits) const;
+  std::vector<double> interaction_reach() const;
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
   std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits,
@@ -96,12 +97,9 @@ class EdgeSets {
     std::shared_ptr<const CurvedFaces> curved;              // from order 2 on, where waves over curved surfaces count
     std::vector<InteractionGroup> interaction;              // its indices are those of the set's frequencies
     InteractionParts parts;                                 // empty where there is no interaction
-    std::vector<PairReach> reach;                           // of each group
-    std::vector<double> price;                              // of a pair, of each group
+    std::vector<PairPlan> plans;                            // of each group
     std::vector<std::vector<std::size_t>> group_indices{};  // of each group, in the list of all frequencies
 
-    // All of them are computed.
-    bool has_few_pairs() const;
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
@@ -121,7 +119,7 @@ class EdgeSets {
   EdgeScene scene(const Set& set, bool over_curved) const;
   FringeOptions options(const Set& set) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
-  InteractionOptions interaction_options(const Set& set, const InteractionLimits& limits) const;
+  PairPlan plan_of(const InteractionParts& parts, const InteractionGroup& group) const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;
   static void put(const std::vector<std::size_t>& indices, const EdgeLookResult& part, EdgeLookResult& all);
 

@@ -12,9 +12,7 @@
 #include "solve/mechanisms/list.h"
 #include "uncertainty/omissions.h"
 #include "utd/fringe/near_pieces.h"
-#include "utd/interaction/illumination_rounds.h"
 #include "utd/interaction/interaction_groups.h"
-#include "utd/interaction/reflected_light.h"
 
 namespace raytube {
 
@@ -51,9 +49,13 @@ double isotropic_level(const TriangleMesh& mesh) {
 class Interaction : public Mechanism {
  public:
   Interaction(const BandScene& scene, std::vector<bool> frequencies)
-      : scene_(scene), frequencies_(std::move(frequencies)), limits_(interaction_limits(scene.plan)) {
+      : scene_(scene),
+        frequencies_(std::move(frequencies)),
+        limits_{interaction_quadrature_error(relative_tolerance(scene.plan.tubes.tolerance_db),
+                                             isotropic_level(scene.plan.target.mesh)),
+                scene.plan.edges.interaction.forced() ? 0.0 : least_reach} {
     if (scene.plan.edges.interaction.forced()) return;
-    const std::vector<double> reach = scene.edges.interaction_reach(limits_);
+    const std::vector<double> reach = scene.edges.interaction_reach();
     reach_ = std::ranges::max(reach);
     for (std::size_t f = 0; f < reach.size(); ++f) frequencies_[f] = frequencies_[f] && reach[f] >= least_reach;
   }
@@ -90,7 +92,6 @@ class Interaction : public Mechanism {
   }
 
   Contribution contribution_of(InteractionResult found) const {
-    const InteractionSkips& skipped = found.skipped;
     const bool is_dark = found.scattering.empty();
     return {
         .s = {std::move(found.scattering)},
@@ -100,10 +101,8 @@ class Interaction : public Mechanism {
         .work = found.work,
         .counts = {{.what = "edge_illumination_pieces", .count = found.illuminating_pieces},
                    {.what = count_of_pairs, .count = found.pairs},
-                   {pairs_of_edge_and_face, "too weak to matter", skipped.weak_pairs},
-                   {pairs_of_edge_and_face, beyond_budget, skipped.pairs},
-                   {"pairs of edge and mirror", beyond_budget, skipped.reflected_pairs},
-                   {"edges lit after a reflection, without fringe currents", beyond_budget, skipped.fringe_pieces},
+                   {pairs_of_edge_and_face, beyond_budget, found.pairs_left_out},
+                   {"pairs of edge and mirror", beyond_budget, found.reflected_pairs_left_out},
                    {"looks without edge-face interaction", "no lit edge faces another surface", is_dark ? 1u : 0u, Fold::least}}};
   }
 
@@ -190,16 +189,16 @@ double bytes_of_target(const SolvePlan& plan) {
   const auto patches = static_cast<double>(plan.target.mesh.patches.size());
   const auto frequencies = static_cast<double>(plan.sweep.frequencies.size());
   double bytes = frequencies * (patches / 8 + sizeof(InteractionGroup));
-  for (const WedgeSet& set : plan.wedge_sets)
-    bytes += static_cast<double>(set.wedges->size()) * sizeof(EdgeAxis) + patches * (sizeof(PatchExtent) + sizeof(std::uint32_t));
+  for (const WedgeSet& set : plan.wedge_sets) {
+    const auto wedges = static_cast<double>(set.wedges->size());
+    bytes += wedges * sizeof(EdgeAxis) + patches * (sizeof(PatchExtent) + sizeof(std::uint32_t)) +
+             bytes_of_pairs(wedges * patches, interaction_work(plan));
+  }
   return bytes;
 }
 
 double bytes_of_look(const SolvePlan& plan) {
-  const auto wedges = static_cast<double>(plan.target.wedges.size());
-  const double pieces = wedges + 2.0 * most_reflected_pairs;
-  return illumination_bytes(plan.sweep.frequencies.size(), pieces * static_cast<double>(plan.target.mesh.patches.size())) +
-         wedges * sizeof(LitEdgePiece);
+  return interaction_bytes(plan.sweep.frequencies.size()) + static_cast<double>(plan.target.wedges.size()) * sizeof(LitEdgePiece);
 }
 
 constexpr double few_pairs = 1e4;  // of an edge and a face: of more than these the budget reaches too few
@@ -245,14 +244,12 @@ bool interacts(const SolvePlan& plan, const BandPlan& band) {
   return !band.convexity.no_reflection && plan.state("interaction").on;
 }
 
-InteractionLimits interaction_limits(const SolvePlan& plan) {
+double interaction_work(const SolvePlan& plan) {
   const Target& target = plan.target;
   const auto edges = static_cast<double>(std::ranges::count_if(target.wedges, &Wedge::radiates));
   const double budget = plan.edges.interaction_budget,
                look = work_of_patch * static_cast<double>(target.mesh.patches.size()) + work_of_edge * edges;
-  return {interaction_quadrature_error(relative_tolerance(plan.tubes.tolerance_db), isotropic_level(target.mesh)),
-          budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity(), nullptr,
-          plan.edges.interaction.forced() ? 0.0 : least_reach};
+  return budget < unlimited_interaction_budget ? budget * look : std::numeric_limits<double>::infinity();
 }
 
 MechanismEntry interaction_entry() {

@@ -32,9 +32,9 @@ MechanismEntry interaction_entry();
 bool interacts(const SolvePlan& plan, const BandPlan& band);
 /// Why pairs of an edge and a face are left out that might matter.
 inline constexpr const char* beyond_budget = "beyond edges.between_budget";
-/// What edge-face interaction may leave and take in a look: the same in all of them, whatever the frequencies, of the counted
-/// work (utd/wedge/work.h) that tubes and edges of such a target take.
-InteractionLimits interaction_limits(const SolvePlan& plan);
+/// What edge-face interaction may take in a look at one frequency, the same in all of them: of the counted work
+/// (utd/wedge/work.h) that tubes and edges of such a target take.
+double interaction_work(const SolvePlan& plan);
 
 /// A remedy that makes an omission less by no more than this share of its squares is not named, nor one that takes more than so
 /// many times the time.

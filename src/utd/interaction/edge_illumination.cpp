@@ -117,12 +117,6 @@ std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
   return range;
 }
 
-std::size_t EdgeIllumination::rows(double azimuth) {
-  std::size_t count = 0;
-  follow(diffracted_rays(azimuth), [&](const Footprint&) { ++count; });
-  return count;
-}
-
 // How far beyond an end of the piece rays are followed [m]. Rays that start beyond the target are longer by as much. `way` is -1
 // towards smaller positions.
 double EdgeIllumination::margin(double way) const {

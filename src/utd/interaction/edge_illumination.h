@@ -70,9 +70,6 @@ struct ReceivingFaces {
   const std::vector<bool>& large;              // the patches that receive, and are mirrors
   std::span<const dvec3> corners;              // where the faces jump or bend as seen from an edge; may be left out
   std::span<const std::uint32_t> first_met{};  // the only patches from which waves of edges count, ascending; empty: all
-  // Where work is limited the large patches, the largest first, and their areas [m^2].
-  std::span<const std::uint32_t> by_area{};
-  std::span<const double> areas{};
   FaceMaterials materials{};
 };
 
@@ -92,9 +89,6 @@ class EdgeIllumination {
   void take_apart(double azimuth, double weight, const PathPlace& place, std::vector<ImageEdge>& pieces);
   /// Between which phases the density lies there; none if the rays meet nothing.
   std::optional<PhaseRange> survey(double azimuth);
-
-  /// How many rows of rays arrive at faces there.
-  std::size_t rows(double azimuth);
 
   /// Counted so far (utd/wedge/work.h).
   double work() const { return work_ + tracer_.work(); }

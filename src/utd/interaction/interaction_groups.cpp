@@ -53,7 +53,6 @@ InteractionParts::InteractionParts(const TriangleMesh& mesh, std::span<const Wed
     return materials.any() && material != no_index && materials.materials[material].transmits();
   });
   std::ranges::stable_sort(by_area, std::ranges::greater{}, [&](std::uint32_t patch) { return patches[patch].area; });
-  for (const std::uint32_t patch : by_area) areas.push_back(patches[patch].area);
 }
 
 TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency) {
@@ -65,9 +64,9 @@ TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> 
     longest = std::max(longest, wedge.length());
     if (wedge.length() < least) ++result.edges;
   }
-  for (const double area : patch_areas(mesh)) {
-    largest = std::max(largest, area);
-    if (area < least * least) ++result.faces;
+  for (const PatchExtent& patch : patch_extents(mesh)) {
+    largest = std::max(largest, patch.area);
+    if (patch.area < least * least) ++result.faces;
   }
   result.longest = std::min(longest, std::sqrt(largest));
   return result;
@@ -94,14 +93,6 @@ std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, 
     }
   }
   return groups;
-}
-
-PairReach reach_of(const InteractionParts& parts, const InteractionGroup& group) {
-  std::vector<double> lengths, areas;
-  for (const EdgeAxis& axis : parts.axes)
-    if (axis.length >= group.shortest_axis) lengths.push_back(axis.length);
-  for (std::size_t i = 0; i < group.large_faces; ++i) areas.push_back(parts.patches[parts.by_area[i]].area);
-  return {std::move(lengths), std::move(areas)};
 }
 
 }  // namespace raytube

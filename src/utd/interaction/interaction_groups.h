@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "utd/interaction/edge_axes.h"
-#include "utd/interaction/pair_bound.h"
-#include "utd/interaction/pair_reach.h"
+#include "utd/interaction/pair_plan.h"
 
 namespace raytube {
 
@@ -20,7 +19,6 @@ struct InteractionParts {
   std::vector<dvec3> corners;          // of the target; none if there are more than 200
   std::vector<PatchExtent> patches;    // of the mesh
   std::vector<std::uint32_t> by_area;  // those that let no waves through, the largest first
-  std::vector<double> areas;           // of these [m^2]
 
   InteractionParts() = default;
   /// `materials` are those of the mesh, at these frequencies, of which the first has this `wavenumber`; empty: perfect conductors
@@ -46,9 +44,6 @@ struct TooSmall {
 };
 
 TooSmall too_small_to_interact(const TriangleMesh& mesh, std::span<const Wedge> wedges, double frequency);
-
-/// What work reaches of a group's edges and faces.
-PairReach reach_of(const InteractionParts& parts, const InteractionGroup& group);
 
 /// The groups of the `wanted` ones among the frequencies [Hz], without those at which there is nothing to illuminate.
 std::vector<InteractionGroup> interaction_groups(const InteractionParts& parts, std::span<const double> frequencies,

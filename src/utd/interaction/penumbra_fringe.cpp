@@ -182,21 +182,24 @@ struct PenumbraFringe::Source {
 };
 
 PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis,
-                               const LookVectors& look, std::span<const double> wavenumbers)
+                               const LookVectors& look, std::span<const double> wavenumbers, const PairPlan& plan)
     : tracer_(tracer),
       axes_(axes),
       shortest_axis_(shortest_axis),
       look_(look),
       wavenumbers_(wavenumbers),
+      plan_(plan),
       band_(wavenumbers),
-      shortest_wavelength_(2 * pi / sampling_wavenumber(wavenumbers)) {
-  for (const EdgeAxis& axis : axes_) panel_work_.push_back(axis.length < shortest_axis_ ? 0.0 : work_of_panels(axis.length));
-}
+      shortest_wavelength_(2 * pi / sampling_wavenumber(wavenumbers)) {}
 
 template <class Visit>
 void PenumbraFringe::visit_rims(const LitEdgePiece& source, Visit visit) const {
+  const auto axis = static_cast<std::size_t>(source.edge - axes_.data());
+  const auto is_met = [&](const WedgeFace& face) { return plan_.has(axis, face.patch); };
   for (const EdgeAxis& rim : axes_)
-    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge)) visit(rim);
+    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge) &&
+        (plan_.all() || std::ranges::any_of(rim.wedge->faces, is_met)))
+      visit(rim);
 }
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
@@ -255,19 +258,6 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
   const EdgeRay ray = edge_ray(from.edge, from.wave, middle);
   return boundary_at(from.edge.n, ray.source_angle, ray.observation_angle) &&
          glm::length(ray.leaving - lit.wave->about(middle).direction) < 2 * undecided;
-}
-
-double PenumbraFringe::work_of(const LitEdgePiece& source) const {
-  double work = 0.0;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (panel_work_[i] > 0.0 && !share_a_face(*source.edge->wedge, *axes_[i].wedge)) work += panel_work_[i];
-  return work;
-}
-
-// Neighbouring paths differ by twice the panel at most.
-double PenumbraFringe::work_of_panels(double length) {
-  const std::vector<double> ends = growing_panels(length, first_panel * shortest_wavelength_);
-  return static_cast<double>(ends.size() - 1) * work_of_panel(1);
 }
 
 double PenumbraFringe::work_of_panel(std::size_t frequencies) {

@@ -8,7 +8,7 @@
 #include "math/node_waves.h"
 #include "mesh/trace/tracer.h"
 #include "utd/fringe/near_pieces.h"
-#include "utd/interaction/edge_illumination.h"
+#include "utd/interaction/pair_plan.h"
 #include "utd/wedge/diffracted_field.h"
 
 namespace raytube {
@@ -16,9 +16,10 @@ namespace raytube {
 /// What the rims of other faces make of the waves of lit pieces of edges, in one look. Keeps references to its arguments.
 class PenumbraFringe {
  public:
-  /// `axes` are the edges that waves of others may reach; those shorter than `shortest_axis` [m] do not count.
+  /// `axes` are the edges that waves of others may reach, sources among them; those shorter than `shortest_axis` [m] do not
+  /// count, nor rims of faces that make no pair of the plan with a source.
   PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis, const LookVectors& look,
-                 std::span<const double> wavenumbers);
+                 std::span<const double> wavenumbers, const PairPlan& plan = all_pairs);
 
   /// Adds S [m] of all rims that the waves of `source` reach, per wavenumber.
   void add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums);
@@ -33,8 +34,6 @@ class PenumbraFringe {
   /// Whether the wave of `source` meets the middle of `lit` on the boundary at which this light ends, as close as add() tells.
   bool ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const;
 
-  /// Work that add() takes, but for panels that end where the wave jumps or bends (utd/wedge/work.h).
-  double work_of(const LitEdgePiece& source) const;
   /// Counted so far (utd/wedge/work.h).
   double work() const { return work_; }
 
@@ -60,7 +59,6 @@ class PenumbraFringe {
   std::optional<RimPoint> point_on(const Source& source, const EdgeAxis& rim, const dvec3& place) const;
   bool is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const;
   std::vector<double> panels_of(const Source& source, const EdgeAxis& rim) const;
-  double work_of_panels(double length);
   static double work_of_panel(std::size_t frequencies);
   const ChebyshevNodes* nodes_of(double half_span);
 
@@ -69,9 +67,9 @@ class PenumbraFringe {
   double shortest_axis_;
   const LookVectors& look_;
   std::span<const double> wavenumbers_;
+  const PairPlan& plan_;
   Band band_;
   double shortest_wavelength_;
-  std::vector<double> panel_work_;  // of each axis, where nothing jumps; 0 if too short
   double work_ = 0.0;
 };
 

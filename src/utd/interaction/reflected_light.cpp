@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "utd/interaction/edge_axes.h"
-#include "utd/interaction/pair_reach.h"
 #include "utd/wedge/incidence.h"
-#include "utd/wedge/work.h"
 
 namespace raytube {
 
@@ -47,63 +44,38 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane) {
 }
 
 ReflectedLight::ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident,
-                               double wavelength, double shortest_axis)
+                               double wavelength, double shortest_axis, const PairPlan& plan)
     : tree_(faces.tree),
       large_(faces.large),
-      by_area_(faces.by_area),
-      areas_(faces.areas),
       axes_(axes),
       incident_(incident),
       wavelength_(wavelength),
       shortest_axis_(shortest_axis),
-      axis_count_(std::ranges::count_if(axes, [&](const EdgeAxis& axis) { return axis.length >= shortest_axis; })),
+      plan_(plan),
       tracer_(faces.tree) {}
 
 void ReflectedLight::find_mirrors() {
   const TriangleMesh& mesh = tree_.mesh();
-  std::vector<bool> closed(mesh.patches.size());
+  std::vector<bool> closed(mesh.patches.size()), planned(mesh.patches.size(), plan_.all());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) closed[mesh.triangle_patch[t]] = mesh.closed(t);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis)
+    for (const std::uint32_t patch : plan_.patches(axis)) planned[patch] = true;
   for (std::uint32_t patch = 0; patch < mesh.patches.size(); ++patch)
-    if (large_[patch]) mirrors_.push_back({patch, closed[patch]});
+    if (large_[patch] && planned[patch]) mirrors_.push_back({patch, closed[patch]});
 }
 
-// Of single reflections, so many that their pairs may be looked at within the work.
-void ReflectedLight::keep_largest(double most_work) {
-  const auto pairs = static_cast<double>(axis_count_ * mirrors_.size()), fit = most_work / work::reflected_pair;
-  if (pairs <= fit) return;
-  all_ = false;
-  const std::size_t mirrors = with_equals(areas_, static_cast<double>(mirrors_.size()) * std::sqrt(fit / pairs));
-  std::vector<bool> kept(large_.size());
-  for (const std::uint32_t patch : by_area_.first(mirrors)) kept[patch] = true;
-  std::erase_if(mirrors_, [&](const Mirror& mirror) { return !kept[mirror.patch]; });
-  std::vector<double> lengths;
-  for (const EdgeAxis& axis : axes_)
-    if (axis.length >= shortest_axis_) lengths.push_back(axis.length);
-  std::ranges::sort(lengths, std::greater{});
-  const std::size_t axes = with_equals(lengths, fit / static_cast<double>(mirrors));
-  shortest_axis_ = lengths[axes - 1];
-  axis_count_ = axes;
-  pairs_left_out_ += static_cast<std::uint64_t>(std::max(0.0, pairs - static_cast<double>(mirrors * axes)));
-}
-
-// Further reflections of some mirrors alone would be worth little. Pairs have a price: what they took hangs on the order of
-// faces.
-bool ReflectedLight::too_many(std::size_t sequences, int reflection, double most_work) {
-  const std::size_t pairs = axis_count_ * sequences * mirrors_.size();
-  looked_at_ += static_cast<double>(pairs);
-  if (pairs <= most_reflected_pairs && (reflection == 0 || (all_ && work::reflected_pair * looked_at_ <= most_work)))
-    return false;
-  pairs_left_out_ += pairs;
-  return true;
-}
-
-std::deque<ReflectedWave> ReflectedLight::waves(int most, double most_work) {
+std::deque<ReflectedWave> ReflectedLight::waves(int most) {
   find_mirrors();
-  keep_largest(most_work);
+  const auto lit = [&](const EdgeAxis& axis) { return counts(axis); };
+  const auto axes = static_cast<std::size_t>(std::ranges::count_if(axes_, lit));
   std::vector<ReflectedWave> last{{incident_, {}, {}}}, next;
   std::deque<ReflectedWave> all;
   for (int reflection = 0; reflection < most; ++reflection) {
-    if (too_many(last.size(), reflection, most_work)) break;
+    const std::size_t pairs = axes * last.size() * mirrors_.size();
+    if (pairs > most_reflected_pairs) {
+      pairs_left_out_ += pairs;
+      break;
+    }
     next.clear();
     for (const ReflectedWave& before : last)
       for (const Mirror& mirror : mirrors_) {
@@ -122,10 +94,12 @@ std::deque<ReflectedWave> ReflectedLight::waves(int most, double most_work) {
   return all;
 }
 
+bool ReflectedLight::counts(const EdgeAxis& axis) const { return axis.length >= shortest_axis_ && plan_.has(index_of(axis)); }
+
 void ReflectedLight::find_lit(ReflectedWave& wave) {
   for (const EdgeAxis& axis : axes_) {
     const Wedge& wedge = *axis.wedge;
-    if (axis.length < shortest_axis_) continue;
+    if (!counts(axis) || !plan_.has(index_of(axis), wave.patches.back())) continue;
     if (wedge.faces[0].patch == wave.patches.back() || wedge.faces[1].patch == wave.patches.back()) continue;
     const WedgeIncidence incidence = incidence_on(wedge, wave.wave.about(middle_of(axis)).direction);
     const double weight = incidence_weight(wedge, incidence);

@@ -3,10 +3,9 @@
 
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <vector>
 
-#include "utd/interaction/edge_illumination.h"
+#include "utd/interaction/pair_plan.h"
 
 namespace raytube {
 
@@ -27,16 +26,15 @@ PlaneWave reflected(const PlaneWave& wave, const Patch& plane);
 class ReflectedLight {
  public:
   /// `wavelength` [m] is the shortest of the look; the large ones among the faces are the mirrors. Axes shorter than
-  /// `shortest_axis` [m] do not count.
+  /// `shortest_axis` [m] do not count, and mirrors light the edges that the plan has pairs of with them.
   ReflectedLight(const ReceivingFaces& faces, std::span<const EdgeAxis> axes, const PlaneWave& incident, double wavelength,
-                 double shortest_axis = 0.0);
+                 double shortest_axis = 0.0, const PairPlan& plan = all_pairs);
 
   /// The waves that light any edge after 1 to `most` reflections. Where one reflection more would make more than 20 000 pairs of
-  /// an edge and a sequence of mirrors, or more than `most_work` (utd/wedge/work.h), the shorter sequences are all; of single
-  /// reflections it is then the largest mirrors and the longest edges that count. Light does not end at the border of a beam:
-  /// within a twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it
-  /// jumps in no look; it is 1/2 on the border itself.
-  std::deque<ReflectedWave> waves(int most, double most_work = std::numeric_limits<double>::infinity());
+  /// an edge and a sequence of mirrors, the shorter sequences are all. Light does not end at the border of a beam: within a
+  /// twenty-fifth of the edge's length to either side of it the weight of a piece goes smoothly from 1 to 0, so that it jumps in
+  /// no look; it is 1/2 on the border itself.
+  std::deque<ReflectedWave> waves(int most);
 
   /// Counted so far (utd/wedge/work.h).
   double work() const { return tracer_.work(); }
@@ -53,8 +51,8 @@ class ReflectedLight {
   };
 
   void find_mirrors();
-  void keep_largest(double most_work);
-  bool too_many(std::size_t sequences, int reflection, double most_work);
+  bool counts(const EdgeAxis& axis) const;
+  std::size_t index_of(const EdgeAxis& axis) const { return static_cast<std::size_t>(&axis - axes_.data()); }
   void find_lit(ReflectedWave& wave);
   std::vector<LitPiece> blended(const ReflectedWave& wave, const EdgeAxis& axis, std::span<const LitPiece> over,
                                 std::span<const LitPiece> under);
@@ -68,14 +66,10 @@ class ReflectedLight {
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;  // the mirrors
-  std::span<const std::uint32_t> by_area_;
-  std::span<const double> areas_;
   std::span<const EdgeAxis> axes_;
   const PlaneWave& incident_;
   double wavelength_, shortest_axis_;
-  std::size_t axis_count_;  // not shorter than that
-  bool all_ = true;         // mirrors and edges are looked at
-  double looked_at_ = 0.0;  // pairs of an edge and a sequence of mirrors
+  const PairPlan& plan_;
   RayFanTracer tracer_;
   std::uint64_t pairs_left_out_ = 0;
   std::vector<Mirror> mirrors_;

@@ -15,9 +15,7 @@ inline constexpr double near_ray_row = 1500.0;       // rays from and to antenna
 inline constexpr double near_ray_frequency = 500.0;  // their waves, at one frequency
 inline constexpr double known_wave = 30.0;           // one wave over a face, of known amplitude, at one frequency
 inline constexpr double azimuth_cut = 60.0;          // one azimuth where rays may jump
-inline constexpr double pair_bound = 700.0;          // the bound of one edge and one face
 inline constexpr double edge_light = 5000.0;         // which parts of one edge a wave lights
-inline constexpr double reflected_pair = 3000.0;     // which parts of one edge a wave lights after a reflection
 
 // Fringe currents (utd/fringe, utd/multiple).
 inline constexpr double strip_tree = 1000.0;     // one wave on one face of an edge

@@ -1,8 +1,9 @@
 // Which edges may illuminate other faces, and at which of their ends another surface stands.
+#include "utd/interaction/edge_axes.h"
+
 #include <gtest/gtest.h>
 
 #include "unit/mesh_shapes.h"
-#include "utd/interaction/edge_axes.h"
 
 namespace raytube {
 namespace {

@@ -1,4 +1,6 @@
 // Edge-diffracted illumination of other faces against quadrature over these faces, point by point.
+#include "utd/interaction/edge_illumination.h"
+
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -6,7 +8,6 @@
 #include "math/erfc_ray.h"
 #include "math/gauss.h"
 #include "run.h"
-#include "utd/interaction/edge_illumination.h"
 #include "unit/utd_scene.h"
 
 namespace raytube {
@@ -138,7 +139,7 @@ class Setting {
     const double wavenumbers[] = {k};
     const std::vector<bool> all(scene_.mesh.patches.size(), true);
     const std::size_t indices[] = {0};
-    EdgeIllumination illumination({tree, all, {}, {}, {}, {}, {materials_, indices}}, look, wavenumbers, source, reflections);
+    EdgeIllumination illumination({tree, all, {}, {}, {materials_, indices}}, look, wavenumbers, source, reflections);
     const std::vector<double> cuts = this->cuts();
     std::vector<ScatteringMatrix> density;
     ScatteringMatrix sum;

@@ -1,8 +1,9 @@
 // Fringe currents of rims that waves of other edges reach, against quadrature over these rims, point by point.
+#include "utd/interaction/penumbra_fringe.h"
+
 #include <gtest/gtest.h>
 
 #include "run.h"
-#include "utd/interaction/penumbra_fringe.h"
 #include "unit/utd_scene.h"
 
 namespace raytube {

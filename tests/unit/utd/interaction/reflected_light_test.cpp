@@ -1,4 +1,6 @@
 // Which parts of edges reflected waves light, against single rays sent back from points of them.
+#include "utd/interaction/reflected_light.h"
+
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -6,7 +8,6 @@
 
 #include "unit/mesh_shapes.h"
 #include "utd/interaction/edge_axes.h"
-#include "utd/interaction/reflected_light.h"
 
 namespace raytube {
 namespace {
