@@ -122,8 +122,8 @@ std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
 double EdgeIllumination::margin(double way) const {
   const FaceIncidence& in = source_.incidence;
   const double k = least_wavenumber(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
-  const double first = EdgeWaveIntegral::reach(inside, k, way * in.cos_cone, in.sin_cone);
-  return EdgeWaveIntegral::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
+  const double first = edge_row::reach(inside, k, way * in.cos_cone, in.sin_cone);
+  return edge_row::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
 }
 
 EdgeIllumination::Rays EdgeIllumination::diffracted_rays(double azimuth) const {
@@ -132,7 +132,7 @@ EdgeIllumination::Rays EdgeIllumination::diffracted_rays(double azimuth) const {
   const dvec3 across = std::cos(azimuth) * face.into_face + std::sin(azimuth) * face.normal;
   const dvec3 direction = glm::normalize(source_.incidence.sin_cone * across + source_.incidence.cos_cone * t);
   const dvec3 turning = glm::cross(t, across), up = glm::cross(direction, turning);
-  const std::array<dvec3, components> magnetic{-turning, up, across, turning};
+  const std::array<dvec3, wave_components> magnetic{-turning, up, across, turning};
   return {{source_.edge->origin, t, direction, source_.from, source_.to}, 0.0, 0.0, magnetic};
 }
 
@@ -157,14 +157,14 @@ EdgeIllumination::Footprint EdgeIllumination::footprint(const Rays& rays, const 
   if (!meets_conductors(rays, plane)) {
     on.spectral.resize(wavenumbers_.size());
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-      for (int c = 0; c < components; ++c) {
+      for (int c = 0; c < wave_components; ++c) {
         const auto received = received_currents(materials_, MetFace(plane), fan.direction, magnetic(rays, f, c),
                                                 {look_.receive, look_.scattered}, f, wavenumbers_[f]);
         for (int p = 0; p < 2; ++p) on.spectral[f][p][c] = received[p];
       }
     return on;
   }
-  for (int c = 0; c < components; ++c) {
+  for (int c = 0; c < wave_components; ++c) {
     const dvec3 current = 2.0 * glm::cross(normal, rays.magnetic[c]);
     for (int p = 0; p < 2; ++p) on.current[p][c] = glm::dot(look_.receive[p], current);
   }
@@ -185,39 +185,18 @@ EdgeIllumination::Rays EdgeIllumination::reflected_rays(const Rays& rays, const 
   if (meets_conductors(rays, plane)) return next;
   next.spectral.resize(wavenumbers_.size());
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-    for (int c = 0; c < components; ++c)
+    for (int c = 0; c < wave_components; ++c)
       next.spectral[f][c] =
           reflected_magnetic(materials_, MetFace(plane), rays.fan.direction, magnetic(rays, f, c), f, wavenumbers_[f]);
   return next;
 }
 
-// S = -(jk / 4 pi) p_hat . eta J * integral (Stratton & Chu 1939). Of the ray, eta H = -s_hat x (b0_hat E_s u_s + phi_hat E_h
-// u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
-//   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
-//                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
 ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const WaveIntegrals& sums, std::size_t index,
                                            double wavenumber) const {
-  return on.spectral.empty() ? excited(on, on.current, sums, wavenumber) : excited(on, on.spectral[index], sums, wavenumber);
-}
-
-template <class Current>
-ScatteringMatrix EdgeIllumination::excited(const Footprint& on, const Current& currents, const WaveIntegrals& sums,
-                                           double wavenumber) const {
   const FaceIncidence& in = source_.incidence;
-  const double weight = source_.weight * source_.edge->wedge->share;
-  const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
-  const Complex ray(0.0, weight * on.area * wavenumber / (4 * pi));
-  const double slope = weight * on.area / (4 * pi * in.sin_cone);
-  ScatteringMatrix result;
-  for (int p = 0; p < 2; ++p) {
-    const auto& current = currents[p];
-    const Complex of_soft = ray * current[soft] * soft_waves.value +
-                            slope * (current[around] * soft_waves.outwards - current[outwards] * soft_waves.around);
-    const Complex of_hard = ray * current[hard] * hard_waves.value +
-                            slope * in.cos_cone * (current[outwards] * hard_waves.outwards + current[around] * hard_waves.around);
-    for (int q = 0; q < 2; ++q) result.at(p, q) = arriving_[q][0] * of_soft + arriving_[q][1] * of_hard;
-  }
-  return result;
+  const ExcitedRays rays{arriving_, source_.weight * source_.edge->wedge->share * on.area, in.sin_cone, in.cos_cone};
+  return on.spectral.empty() ? raytube::excited(rays, on.current, sums, wavenumber)
+                             : raytube::excited(rays, on.spectral[index], sums, wavenumber);
 }
 
 void EdgeIllumination::radiate(const Footprint& on, const EdgeWaveIntegral& waves, std::vector<ScatteringMatrix>& density) {
@@ -241,18 +220,18 @@ void EdgeIllumination::radiate_band(const Footprint& on, const EdgeWaveIntegral&
     const bool apart = middle * std::abs(row.phase_rate) * stretch.half() >= EdgeWaveIntegral::least_turn;
     for (const double k : amplitudes_->at) {
       if (!apart) {
-        at_nodes_[0].push_back(excited(on, on.current, waves.whole(row, stretch, k), k));
+        at_nodes_[0].push_back(excited(on, waves.whole(row, stretch, k), 0, k));
         continue;
       }
       const EdgeWaveIntegral::Ends ends = waves.ends(row, stretch, k);
-      at_nodes_[0].push_back(excited(on, on.current, ends.from, k));
-      at_nodes_[1].push_back(excited(on, on.current, ends.to, k));
+      at_nodes_[0].push_back(excited(on, ends.from, 0, k));
+      at_nodes_[1].push_back(excited(on, ends.to, 0, k));
     }
     add(at_nodes_[0], apart ? stretch.from : stretch.middle());
     if (apart) add(at_nodes_[1], stretch.to);
   }
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
-    density[f] += excited(on, on.current, waves.beside_corners(row, wavenumbers_[f]), wavenumbers_[f]);
+    density[f] += excited(on, waves.beside_corners(row, wavenumbers_[f]), f, wavenumbers_[f]);
   work_ +=
       work::ray_row * (static_cast<double>(amplitudes_->at.size()) + share_at_ends * static_cast<double>(wavenumbers_.size()));
 }

@@ -73,6 +73,38 @@ struct ReceivingFaces {
   FaceMaterials materials{};
 };
 
+/// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their slopes
+/// add, outwards and around.
+inline constexpr int wave_components = 4;
+
+/// Rays over which their waves are summed up.
+struct ExcitedRays {
+  const std::array<std::array<double, 2>, 2>& arriving;  // [transmit][soft, hard]: components of E at the edge
+  double area;                                           // of the face per position, azimuth and length of the ray, weighted
+  double sin_cone, cos_cone;
+};
+
+/// S of the currents that they excite, those of unit waves being `currents`: p_hat . eta J, [receive][component].
+// S = -(jk / 4 pi) p_hat . eta J * integral (Stratton & Chu 1939). Of the ray, eta H = -s_hat x (b0_hat E_s u_s + phi_hat E_h
+// u_h), the diffracted E being minus the sum of the waves; the slopes of E_z and eta H_z, both -sin(beta0) of E_s and E_h, add
+//   eta H = (j / k sin(beta0)) {E_s [phi_hat du_s/d(rho) - rho_hat du_s/(rho d(phi))]
+//                               + cos(beta0) E_h [rho_hat du_h/d(rho) + phi_hat du_h/(rho d(phi))]}      (Maxwell's equations).
+template <class Currents>
+ScatteringMatrix excited(const ExcitedRays& rays, const Currents& currents, const WaveIntegrals& sums, double wavenumber) {
+  const WaveSums soft_waves = sums.incident - sums.reflected, hard_waves = sums.incident + sums.reflected;
+  const Complex ray(0.0, rays.area * wavenumber / (4 * pi));
+  const double slope = rays.area / (4 * pi * rays.sin_cone);
+  ScatteringMatrix result;
+  for (int p = 0; p < 2; ++p) {
+    const auto& [soft, hard, outwards, around] = currents[p];
+    const Complex of_soft = ray * soft * soft_waves.value + slope * (around * soft_waves.outwards - outwards * soft_waves.around);
+    const Complex of_hard =
+        ray * hard * hard_waves.value + slope * rays.cos_cone * (outwards * hard_waves.outwards + around * hard_waves.around);
+    for (int q = 0; q < 2; ++q) result.at(p, q) = rays.arriving[q][0] * of_soft + rays.arriving[q][1] * of_hard;
+  }
+  return result;
+}
+
 /// Adds up, azimuth by azimuth about the edge, the far field of the currents that the waves of one lit piece excite on all they
 /// meet: on the first face, and after up to `reflections` reflections on further ones. The edge's own two faces are not met on
 /// the way out. Beyond an end of the piece the wave fades (corner factor); beyond one at another surface (abutting_faces) its
@@ -94,23 +126,20 @@ class EdgeIllumination {
   double work() const { return work_ + tracer_.work(); }
 
  private:
-  /// Components of H that the waves of an edge have along them: that of a ray, of a soft and of a hard wave, and what their
-  /// slopes add.
-  enum Component { soft, hard, outwards, around, components };
   /// Diffracted rays of one azimuth on their way.
   struct Rays {
     RayFan fan;
-    double path = 0.0, path_rate = 0.0;                             // way from the edge to where the fan begins [m]
-    std::array<dvec3, components> magnetic;                         // directions, as perfect conductors leave them
-    std::vector<std::array<ComplexVector, components>> spectral{};  // [wavenumber] once others are met; else empty
+    double path = 0.0, path_rate = 0.0;                                  // way from the edge to where the fan begins [m]
+    std::array<dvec3, wave_components> magnetic;                         // directions, as perfect conductors leave them
+    std::vector<std::array<ComplexVector, wave_components>> spectral{};  // [wavenumber] once others are met; else empty
   };
   /// Where they meet a face.
   struct Footprint {
     RayRow row;
-    dvec3 base, step;                                       // points on the face, by position
-    double area;                                            // of the face per position, azimuth and length of the ray
-    std::array<std::array<double, components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
-    std::vector<std::array<std::array<Complex, components>, 2>> spectral{};  // [wavenumber] instead; empty: conductors alone
+    dvec3 base, step;                                            // points on the face, by position
+    double area;                                                 // of the face per position, azimuth and length of the ray
+    std::array<std::array<double, wave_components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
+    std::vector<std::array<std::array<Complex, wave_components>, 2>> spectral{};  // [wavenumber] instead; empty: conductors alone
   };
 
   double margin(double way) const;
@@ -130,8 +159,6 @@ class EdgeIllumination {
   void take_apart(const Footprint& on, const EdgeWaveIntegral& waves, double weight, const PathPlace& place,
                   std::vector<ImageEdge>& pieces) const;
   ScatteringMatrix excited(const Footprint& on, const WaveIntegrals& sums, std::size_t index, double wavenumber) const;
-  template <class Current>
-  ScatteringMatrix excited(const Footprint& on, const Current& current, const WaveIntegrals& sums, double wavenumber) const;
 
   const FaceTree& tree_;
   const std::vector<bool>& large_;

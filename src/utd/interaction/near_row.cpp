@@ -14,20 +14,14 @@ namespace raytube {
 
 namespace {
 
-constexpr double at_edge = 0.05;   // electrical distance from the edge below which waves on a face no longer change
-constexpr double octaves = 8.0;    // a rule takes in distances from the edge up to this ratio: waves change with their root
-constexpr double most_bend = 1.0;  // of the phase within a rule, off a linear one [rad]
+// The phase within a rule is no further off a linear one [rad].
+constexpr double most_bend = 1.0;
+// Stretches of rays are halved so many times at most.
 constexpr int most_halvings = 24;
-constexpr double faded = 3.0;  // sqrt(k detour) past an end of the edge at which its waves have been let fade to nothing
 
 // Of eta H of a soft and of a hard wave, and of what their slopes add.
 std::array<dvec3, 4> magnetic_directions(const NearRay& ray, const dvec3& across, const dvec3& turning, const dvec3& step) {
   return {-turning, ray.sin_cone * step - ray.cos_cone * across, across, turning};
-}
-
-double fading(double detour) {
-  const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
-  return rest * rest;
 }
 
 }  // namespace
@@ -35,14 +29,6 @@ double fading(double detour) {
 AntennaAtEdge::AntennaAtEdge(const EdgeAxis& edge, const dvec3& antenna)
     : distance(glm::length(glm::cross(antenna - edge.origin, edge.tangent))),
       along(glm::dot(antenna - edge.origin, edge.tangent)) {}
-
-/// Where one rule applies; `side` is 1 beside a corner, inside it, -1 beyond it, 0 where the rays count by themselves.
-struct NearRowIntegral::Stretch {
-  double from, to;
-  double corner = 0.0, side = 0.0;
-  double half() const { return (to - from) / 2; }
-  double middle() const { return (from + to) / 2; }
-};
 
 /// At the points of a rule; phases / k but for the linear part, `rate` over half the stretch [m].
 struct NearRowIntegral::Samples {
@@ -56,14 +42,6 @@ struct NearRowIntegral::Samples {
     for (std::size_t i = 1; i < lanes; ++i) low = std::min(low, left[i]), high = std::max(high, left[i]);
     return high - low;
   }
-};
-
-/// Values and slopes of waves, and what all are multiplied with.
-struct NearRowIntegral::Waves {
-  struct Sum {
-    Complexes value{}, outwards{}, around{};
-  };
-  Sum incident, reflected;
 };
 
 // The way from the antenna, s', is as the spread of the tube of rays has it: (s' + s) / s' wide at s, with the field s' / (s' +
@@ -130,31 +108,24 @@ void NearRowIntegral::add(const NearRow& row, const std::array<double, 2>& corne
 void NearRowIntegral::add_beside(const NearRow& row, double corner, double inwards, std::size_t index,
                                  std::vector<ScatteringMatrix>& density) {
   if (!std::isfinite(corner)) return;
-  const double k = wavenumbers_[index], cosine = antenna_.cos_cone(corner), sine = antenna_.sin_cone(corner);
-  const double longest = std::max(ray(row, row.hit.from).path, ray(row, row.hit.to).path);
-  const double path = ray(row, std::clamp(corner, row.hit.from, row.hit.to)).path;
-  for (const double side : {-1.0, 1.0}) {
-    const double way = side * inwards, far = EdgeWaveIntegral::reach(longest, k, way * cosine, sine);
-    const double near = std::min(EdgeWaveIntegral::reach(path, k, way * cosine, sine), far);
-    const std::array<double, 4> parts{0.0, near / 2, near, far};
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
-      const double low = std::max(row.hit.from, std::min(start, end)), high = std::min(row.hit.to, std::max(start, end));
-      if (low < high) add_in_parts(row, {low, high, corner, side}, 0, {index, index + 1}, density);
-    }
-  }
+  const edge_row::EndRay end{corner, antenna_.cos_cone(corner), antenna_.sin_cone(corner),
+                             ray(row, std::clamp(corner, row.hit.from, row.hit.to)).path,
+                             std::max(ray(row, row.hit.from).path, ray(row, row.hit.to).path)};
+  edge_row::visit_beside(end, inwards, row.hit.from, row.hit.to, wavenumbers_[index], [&](const RowStretch& stretch) {
+    add_in_parts(row, stretch, 0, {index, index + 1}, density);
+  });
 }
 
 // Where distances from the edge reach too far for one rule; not inside the stretch if they do not.
-double NearRowIntegral::where_to_split(const NearRow& row, const Stretch& stretch) const {
-  const double unit = at_edge / sampling_wavenumber(wavenumbers_);
+double NearRowIntegral::where_to_split(const NearRow& row, const RowStretch& stretch) const {
+  const double unit = edge_row::least_distance / sampling_wavenumber(wavenumbers_);
   const double near = std::max(ray(row, stretch.from).path, unit), far = std::max(ray(row, stretch.to).path, unit);
-  if (std::max(near / far, far / near) <= octaves) return stretch.to;
+  if (std::max(near / far, far / near) <= edge_row::most_ratio) return stretch.to;
   const double share = (std::sqrt(near * far) - near) / (far - near);
   return stretch.from + share * (stretch.to - stretch.from);
 }
 
-void NearRowIntegral::add_in_parts(const NearRow& row, const Stretch& stretch, int halvings, Indices indices,
+void NearRowIntegral::add_in_parts(const NearRow& row, const RowStretch& stretch, int halvings, Indices indices,
                                    std::vector<ScatteringMatrix>& density) {
   const std::span<const double> wavenumbers = wavenumbers_.subspan(indices.first, indices.end - indices.first);
   double split = halvings < most_halvings && stretch.side == 0.0 ? where_to_split(row, stretch) : stretch.to;
@@ -177,7 +148,7 @@ double NearRowIntegral::detour(const NearRay& ray, double position, double corne
   return before + excess(ray.path * ray.sin_cone, -ray.path * ray.cos_cone, step);
 }
 
-NearRowIntegral::Samples NearRowIntegral::sampled(const NearRow& row, const Stretch& stretch) const {
+NearRowIntegral::Samples NearRowIntegral::sampled(const NearRow& row, const RowStretch& stretch) const {
   const FilonRule& rule = FilonRule::get();
   Samples samples;
   samples.half = stretch.half();
@@ -194,65 +165,34 @@ NearRowIntegral::Samples NearRowIntegral::sampled(const NearRow& row, const Stre
   return samples;
 }
 
-// Slopes as in EdgeWaveIntegral, d(root L)/d(rho) among them.
-NearRowIntegral::Waves NearRowIntegral::waves(const NearRow& row, const Samples& samples, double wavenumber) const {
-  const double constant = std::sqrt(2 / pi);
-  Waves waves;
-  const auto add = [&](const EdgeWaveTerm& term, Waves::Sum& sum) {
-    Reals x;
-    std::array<double, lanes> root;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      root[i] = samples.rays[i].sin_cone * std::sqrt(wavenumber * samples.rays[i].parameter);
-      x[i] = term.rate * root[i];
-    }
-    const Complexes w = scaled_erfc(x);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double d = wavenumber * samples.detour[i], own = d > 0.0 ? x[i] * x[i] / (x[i] * x[i] + d) : 1.0;
-      const double part = samples.side == 0.0 ? 1.0 : fading(d) * own, slope_part = samples.side == 0.0 ? 1.0 : part * own;
-      const Complex slope(-2 * x[i] * w.im[i] - constant, 2 * x[i] * w.re[i] - constant);
-      const Complex along = slope_part * term.strength * x[i] / 2 * samples.rays[i].spread * slope;
-      const Complex around = slope_part * (term.strength * term.rate_slope * root[i] * slope + term.strength_slope * w[i]);
-      sum.value.set(i, sum.value[i] + part * term.strength * w[i]);
-      sum.outwards.set(i, sum.outwards[i] + along);
-      sum.around.set(i, sum.around[i] + around);
-    }
-  };
-  for (int i = 0; i < row.terms->each; ++i) {
-    add(row.terms->incident[i], waves.incident);
-    add(row.terms->reflected[i], waves.reflected);
-  }
-  return waves;
-}
-
-// EdgeIllumination::excited, ray by ray.
+// EdgeIllumination::excited, ray by ray; d(root L)/d(rho) is among the slopes.
 ScatteringMatrix NearRowIntegral::excited(const NearRow& row, const Samples& samples, std::size_t index) const {
   const double wavenumber = wavenumbers_[index];
   const Complexes rule = FilonRule::get().weights(wavenumber * samples.rate);
-  const Waves waves = this->waves(row, samples, wavenumber);
-  Reals root;
-  for (std::size_t i = 0; i < lanes; ++i) root[i] = std::sqrt(wavenumber * samples.detour[i]);
-  const Complexes step = scaled_erfc(root);
+  Reals root, detour_root;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    root[i] = samples.rays[i].sin_cone * std::sqrt(wavenumber * samples.rays[i].parameter);
+    detour_root[i] = std::sqrt(wavenumber * samples.detour[i]);
+  }
+  const auto share = [&](std::size_t lane, double z2) {
+    return samples.side == 0.0 ? std::pair(1.0, 1.0) : edge_row::shares_at_end(z2, wavenumber * samples.detour[lane]);
+  };
+  const auto [incident, reflected] = edge_row::both_waves(*row.terms, root, share);
+  const Complexes step = scaled_erfc(detour_root);
   const double weight = source_.weight * source_.edge->wedge->share * samples.half;
   ScatteringMatrix sum;
   for (std::size_t i = 0; i < lanes; ++i) {
     const NearRay& ray = samples.rays[i];
-    Complex factor = weight * rule[i] * std::polar(1.0, wavenumber * (samples.middle + samples.left[i]));
+    Complex factor = rule[i] * std::polar(1.0, wavenumber * (samples.middle + samples.left[i]));
     if (samples.side != 0.0) factor *= -samples.side / 2 * std::polar(1.0, -wavenumber * samples.detour[i]) * step[i];
-    const Complex of_ray = factor * Complex(0.0, ray.area * wavenumber / (4 * pi)) * ray.path;
-    const Complex of_slope = factor * ray.area / (4 * pi * ray.sin_cone * ray.sin_cone);
-    const auto soft = [&](const Complexes& a, const Complexes& b) { return a[i] - b[i]; };
-    const auto hard = [&](const Complexes& a, const Complexes& b) { return a[i] + b[i]; };
-    const Waves::Sum &in = waves.incident, &back = waves.reflected;
-    const auto receive = [&](int p, const auto& currents) {
-      const auto& [soft_current, hard_current, outwards, around] = currents;
-      const Complex of_soft = of_ray * soft_current * soft(in.value, back.value) +
-                              of_slope * (around * soft(in.outwards, back.outwards) - outwards * soft(in.around, back.around));
-      const Complex of_hard =
-          of_ray * hard_current * hard(in.value, back.value) +
-          of_slope * ray.cos_cone * (outwards * hard(in.outwards, back.outwards) + around * hard(in.around, back.around));
-      for (int q = 0; q < 2; ++q) sum.at(p, q) += ray.arriving[q][0] * of_soft + ray.arriving[q][1] * of_hard;
+    const auto sums = [&](const edge_row::Waves& waves) {
+      const Complex of_slope = factor / ray.sin_cone;
+      return WaveSums{factor * ray.path * waves.value[i], of_slope * ray.spread * waves.outwards[i], of_slope * waves.around[i]};
     };
-    for (int p = 0; p < 2; ++p) ray.spectral.empty() ? receive(p, ray.current[p]) : receive(p, ray.spectral[index][p]);
+    const WaveIntegrals waves{sums(incident), sums(reflected)};
+    const ExcitedRays rays{ray.arriving, weight * ray.area, ray.sin_cone, ray.cos_cone};
+    sum += ray.spectral.empty() ? raytube::excited(rays, ray.current, waves, wavenumber)
+                                : raytube::excited(rays, ray.spectral[index], waves, wavenumber);
   }
   return sum;
 }

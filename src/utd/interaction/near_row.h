@@ -62,20 +62,17 @@ class NearRowIntegral {
   double work() const { return work_; }
 
  private:
-  struct Stretch;
   struct Samples;
-  struct Waves;
   // Of the wavenumbers from `first` on, `end` no more.
   struct Indices {
     std::size_t first, end;
   };
   void add_beside(const NearRow& row, double corner, double inwards, std::size_t index, std::vector<ScatteringMatrix>& density);
-  void add_in_parts(const NearRow& row, const Stretch& stretch, int halvings, Indices indices,
+  void add_in_parts(const NearRow& row, const RowStretch& stretch, int halvings, Indices indices,
                     std::vector<ScatteringMatrix>& density);
-  double where_to_split(const NearRow& row, const Stretch& stretch) const;
-  Samples sampled(const NearRow& row, const Stretch& stretch) const;
+  double where_to_split(const NearRow& row, const RowStretch& stretch) const;
+  Samples sampled(const NearRow& row, const RowStretch& stretch) const;
   double detour(const NearRay& ray, double position, double corner) const;
-  Waves waves(const NearRow& row, const Samples& samples, double wavenumber) const;
   ScatteringMatrix excited(const NearRow& row, const Samples& samples, std::size_t index) const;
   void set_spectral_currents(const NearRow& row, const FaceReceiver& receiver, NearRay& ray) const;
 

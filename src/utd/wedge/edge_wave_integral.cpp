@@ -9,59 +9,10 @@
 
 namespace raytube {
 
-/// Some rays: their lengths, and sqrt(k rho sin beta0).
-struct RowPoints {
-  Reals path, root;
-};
-
-/// Waves and their slopes at these rays, as WaveSums has them.
-struct RowWaves {
-  Complexes value{}, outwards{}, around{};
-};
-
 namespace {
 
-// How far past an end of the edge its waves are followed, as sqrt(k detour): they have faded below 0.01 there and are let fade to
-// nothing, so that no path ends in a jump.
-constexpr double faded = 3.0;
-// Electrical distance from the edge below which the waves on a face no longer change.
-constexpr double at_edge = 0.05;
-// A rule takes in distances from the edge up to this ratio: waves change with their root.
-constexpr double octaves = 8.0;
-constexpr double slack = 1e-9;  // keeps a number of rules the same where the ratio is a power of that, whatever the rounding
-
-double fading(double detour) {
-  const double u = detour / (faded * faded), rest = std::max(1.0 - u * u * u * u, 0.0);
-  return rest * rest;
-}
-
-// W' = 2jxW - 2 e^{j pi/4} / sqrt(pi). `share` is a wave's share of what happens at a corner, by its x^2 = X, and that of its
-// slopes.
-template <class Share>
-RowWaves waves_at(const std::array<EdgeWaveTerm, 2>& terms, int each, const RowPoints& at, Share share) {
-  const double constant = std::sqrt(2 / pi);
-  RowWaves sum;
-  for (int i = 0; i < each; ++i) {
-    const EdgeWaveTerm& term = terms[i];
-    Reals x;
-    for (std::size_t lane = 0; lane < lanes; ++lane) x[lane] = term.rate * at.root[lane];
-    const Complexes w = scaled_erfc(x);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const auto [part, slope_part] = share(lane, x[lane] * x[lane]);
-      const double slope_re = -2 * x[lane] * w.im[lane] - constant, slope_im = 2 * x[lane] * w.re[lane] - constant;
-      const double strength = part * term.strength, along = slope_part * term.strength * x[lane] / 2;
-      const double turn = slope_part * term.strength * term.rate_slope * at.root[lane];
-      const double grow = slope_part * term.strength_slope;
-      sum.value.re[lane] += strength * w.re[lane];
-      sum.value.im[lane] += strength * w.im[lane];
-      sum.outwards.re[lane] += along * slope_re;
-      sum.outwards.im[lane] += along * slope_im;
-      sum.around.re[lane] += turn * slope_re + grow * w.re[lane];
-      sum.around.im[lane] += turn * slope_im + grow * w.im[lane];
-    }
-  }
-  return sum;
-}
+// Keeps the number of rules the same where the ratio is a power of `most_ratio`, whatever the rounding.
+constexpr double slack = 1e-9;
 
 Complex product(const Complexes& a, const Complexes& b) {
   double re = 0.0, im = 0.0;
@@ -72,7 +23,8 @@ Complex product(const Complexes& a, const Complexes& b) {
   return {re, im};
 }
 
-WaveSums sum_of(const RowWaves& waves, const Complexes& weights, const Complexes& by_path, Complex factor, double sin_cone) {
+WaveSums sum_of(const edge_row::Waves& waves, const Complexes& weights, const Complexes& by_path, Complex factor,
+                double sin_cone) {
   return {factor * product(by_path, waves.value), factor / sin_cone * product(weights, waves.outwards),
           factor / sin_cone * product(weights, waves.around)};
 }
@@ -99,25 +51,20 @@ Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c
 
 }  // namespace
 
-// Where the way over the corner is longer than the ray by d = faded^2 / k: a quadratic equation.
-double EdgeWaveIntegral::reach(double path, double k, double cosine, double sin_cone) {
-  const double d = faded * faded / k, square = sin_cone * sin_cone;
-  return (d * cosine + std::sqrt(d * d + 2 * d * path * square)) / square;
-}
-
 /// At the eight points of a rule: the rays, their waves, and beside a corner what these are multiplied with.
 struct EdgeWaveIntegral::Samples {
-  RowPoints at;
-  RowWaves incident, reflected;
+  Reals path, root;  // lengths of rays, sqrt(k rho sin beta0)
+  edge_row::BothWaves waves;
   bool beside_corner = false;
   Complexes turn{}, step{};  // e^{j detour}, W of its root
   double scale = 0.0;        // of the integral
   double sin_cone = 1.0;
 
   WaveIntegrals sum(const Complexes& rule, Complex phase) const {
-    const Complexes weights = beside_corner ? turned_back(rule, turn, step) : rule, by_path = times(weights, at.path);
+    const Complexes weights = beside_corner ? turned_back(rule, turn, step) : rule, by_path = times(weights, path);
     const Complex factor = scale * phase;
-    return {sum_of(incident, weights, by_path, factor, sin_cone), sum_of(reflected, weights, by_path, factor, sin_cone)};
+    return {sum_of(waves.incident, weights, by_path, factor, sin_cone),
+            sum_of(waves.reflected, weights, by_path, factor, sin_cone)};
   }
 };
 
@@ -125,9 +72,9 @@ template <class Visit>
 void EdgeWaveIntegral::visit_rays(const RayRow& row, double k, Visit visit) const {
   const double from = std::max(row.from, from_), to = std::min(row.to, to_);
   if (from < to) {
-    const double unit = at_edge / k;
+    const double unit = edge_row::least_distance / k;
     const double near = std::max(row.path + row.path_rate * from, unit), far = std::max(row.path + row.path_rate * to, unit);
-    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(octaves) + slack);
+    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(edge_row::most_ratio) + slack);
     double begin = from;
     for (int i = 1; i <= parts; ++i) {
       const double path = near * std::pow(far / near, static_cast<double>(i) / parts);
@@ -142,19 +89,9 @@ template <class Visit>
 void EdgeWaveIntegral::visit_beside_corner(const RayRow& row, double k, double corner, double inwards, Visit visit) const {
   if (!std::isfinite(corner)) return;
   const auto path_at = [&](double arc_length) { return std::max(row.path + row.path_rate * arc_length, 0.0); };
-  const double longest = std::max(path_at(row.from), path_at(row.to));
-  const double path = path_at(std::clamp(corner, row.from, row.to));
-  for (const double side : {-1.0, 1.0}) {
-    const double way = side * inwards, far = reach(longest, k, way * cos_cone_, sin_cone_);
-    const double near = std::min(reach(path, k, way * cos_cone_, sin_cone_), far);
-    // The wave over the corner turns by faded^2 against the ray's, most of it in the outer half.
-    const std::array<double, 4> parts{0.0, near / 2, near, far};
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      const double start = corner + way * parts[i - 1], end = corner + way * parts[i];
-      const double low = std::max(row.from, std::min(start, end)), high = std::min(row.to, std::max(start, end));
-      if (low < high) visit(RowStretch{low, high, corner, side});
-    }
-  }
+  const edge_row::EndRay end{corner, cos_cone_, sin_cone_, path_at(std::clamp(corner, row.from, row.to)),
+                             std::max(path_at(row.from), path_at(row.to))};
+  edge_row::visit_beside(end, inwards, row.from, row.to, k, visit);
 }
 
 void EdgeWaveIntegral::add(const RayRow& row, const RowStretch& stretch, double k, WaveIntegrals& sum) const {
@@ -205,12 +142,11 @@ EdgeWaveIntegral::Samples EdgeWaveIntegral::sampled(const RayRow& row, const Row
   samples.scale = stretch.half();
   samples.sin_cone = sin_cone_;
   for (std::size_t i = 0; i < lanes; ++i) {
-    samples.at.path[i] = std::max(row.path + row.path_rate * (stretch.middle() + stretch.half() * rule.at[i]), 0.0);
-    samples.at.root[i] = sin_cone_ * std::sqrt(k * samples.at.path[i]);
+    samples.path[i] = std::max(row.path + row.path_rate * (stretch.middle() + stretch.half() * rule.at[i]), 0.0);
+    samples.root[i] = sin_cone_ * std::sqrt(k * samples.path[i]);
   }
   const auto all = [](std::size_t, double) { return std::pair(1.0, 1.0); };
-  samples.incident = waves_at(terms_.incident, terms_.each, samples.at, all);
-  samples.reflected = waves_at(terms_.reflected, terms_.each, samples.at, all);
+  samples.waves = edge_row::both_waves(terms_, samples.root, all);
   return samples;
 }
 
@@ -220,26 +156,22 @@ EdgeWaveIntegral::Samples EdgeWaveIntegral::beside_corner(const RayRow& row, con
   samples.beside_corner = true;
   samples.scale = -stretch.side / 2 * stretch.half();
   samples.sin_cone = sin_cone_;
-  RowPoints& at = samples.at;
+  Reals& path = samples.path;
   Reals detour, x;
   for (std::size_t i = 0; i < lanes; ++i) {
     const double arc_length = stretch.middle() + stretch.half() * rule.at[i], beyond = arc_length - stretch.corner;
-    at.path[i] = std::max(row.path + row.path_rate * arc_length, 0.0);
-    at.root[i] = sin_cone_ * std::sqrt(k * at.path[i]);
-    const double along = beyond + at.path[i] * cos_cone_, across = at.path[i] * sin_cone_;
-    const double both = std::sqrt(along * along + across * across) + at.path[i];
-    const double longer = both > 0.0 ? beyond * (along + at.path[i] * cos_cone_) / both : 0.0;  // over the corner than the ray
+    path[i] = std::max(row.path + row.path_rate * arc_length, 0.0);
+    samples.root[i] = sin_cone_ * std::sqrt(k * path[i]);
+    const double along = beyond + path[i] * cos_cone_, across = path[i] * sin_cone_;
+    const double both = std::sqrt(along * along + across * across) + path[i];
+    const double longer = both > 0.0 ? beyond * (along + path[i] * cos_cone_) / both : 0.0;  // over the corner than the ray
     detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
     x[i] = std::sqrt(detour[i]);
   }
-  const auto share = [&](std::size_t lane, double z2) {
-    const double both = z2 + detour[lane], own = both > 0.0 ? z2 / both : 1.0, faded = fading(detour[lane]);
-    return std::pair(faded * own, faded * own * own);
-  };
+  const auto share = [&](std::size_t lane, double z2) { return edge_row::shares_at_end(z2, detour[lane]); };
   samples.turn = unit_phasors(detour);
   samples.step = scaled_erfc(x);
-  samples.incident = waves_at(terms_.incident, terms_.each, at, share);
-  samples.reflected = waves_at(terms_.reflected, terms_.each, at, share);
+  samples.waves = edge_row::both_waves(terms_, samples.root, share);
   return samples;
 }
 

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "math/lanes.h"
-#include "utd/wedge/edge_wave.h"
+#include "utd/wedge/row_waves.h"
 
 namespace raytube {
 
@@ -31,15 +30,6 @@ struct WaveSums {
 
 struct WaveIntegrals {
   WaveSums incident, reflected;
-};
-
-/// A stretch of a row over which waves change little enough for one rule.
-struct RowStretch {
-  double from, to;      // positions [m]
-  double corner = 0.0;  // the end of the edge that it lies beside [m]
-  double side = 0.0;    // of that end: 1 inside, -1 beyond it; 0: the rays by themselves
-  double half() const { return (to - from) / 2; }
-  double middle() const { return (from + to) / 2; }
 };
 
 /// The waves of one azimuth from the piece [from, to] of an edge.
@@ -69,10 +59,6 @@ class EdgeWaveIntegral {
   };
   Ends ends(const RayRow& row, const RowStretch& stretch, double k) const;
   static constexpr double least_turn = 2.0;  // [rad]
-
-  /// How far from an end its wave is followed, for rays up to this long [m]; `cosine` is cos(beta0) towards greater arc lengths,
-  /// and its negative towards smaller ones.
-  static double reach(double path, double k, double cosine, double sin_cone);
 
  private:
   struct Samples;
