@@ -50,8 +50,7 @@ class CutFinder {
 
   // Shadow and reflection boundaries: the diffracted waves jump there.
   void add_boundaries() {
-    const double arriving = source_.incidence.source_angle, n = source_.edge->wedge->n;
-    for (const double azimuth : {arriving + pi, arriving - pi, pi - arriving, (2 * n - 1) * pi - arriving})
+    for (const double azimuth : wave_boundaries(source_.edge->wedge->n, source_.incidence.source_angle))
       if (azimuth > 0.0 && azimuth < end_) keep(azimuth);
   }
 

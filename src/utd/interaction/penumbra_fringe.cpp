@@ -7,6 +7,7 @@
 #include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/interaction/edge_axes.h"
+#include "utd/interaction/rim_panels.h"
 #include "utd/wedge/diffracted_field.h"
 #include "utd/wedge/work.h"
 
@@ -14,13 +15,12 @@ namespace raytube {
 
 namespace {
 
-// Panels of a rim grow from its ends, where it may meet the edge that lights it, to its middle; the first in wavelengths.
-constexpr double first_panel = 0.8, panel_growth = 4.0;
-constexpr double narrowest_panel = 1e-4;  // in wavelengths
-constexpr double end_inset = 1e-7;        // of a lit piece: its ends belong to other faces, too
-constexpr double beside_face = 4e-6;      // of the target's radius
-constexpr double along_face = 1e-5;       // sine
-constexpr double undecided = 1e-5;        // [rad] beside a boundary
+// A lit piece ends so much of its length early where rays leave it: its ends belong to other faces, too.
+constexpr double end_inset = 1e-7;
+// Rays that run along a face are tested beside it, by so much of the target's radius.
+constexpr double beside_face = 4e-6;
+// Rays run along a face where the sine of their angle to it is smaller.
+constexpr double along_face = 1e-5;
 
 bool share_a_face(const Wedge& one, const Wedge& other) {
   return std::ranges::any_of(
@@ -35,18 +35,6 @@ dvec3 grazed_side(const Wedge& wedge, const dvec3& direction) {
   return side;
 }
 
-// The azimuths at which the wave of an edge changes its side: shadow and reflection boundaries.
-std::array<double, 4> boundaries_of(double n, double source) {
-  return {source + pi, source - pi, pi - source, (2 * n - 1) * pi - source};
-}
-
-// That on which an observation angle lies, or is so close to that rounding decides the side.
-std::optional<double> boundary_at(double n, double source, double observation) {
-  for (const double boundary : boundaries_of(n, source))
-    if (std::abs(observation - boundary) < undecided) return boundary;
-  return std::nullopt;
-}
-
 StraightEdge lit_edge(const LitEdgePiece& piece) {
   StraightEdge edge = straight_edge(*piece.edge->wedge);
   edge.begin = piece.from;
@@ -54,66 +42,9 @@ StraightEdge lit_edge(const LitEdgePiece& piece) {
   return edge;
 }
 
-// In order, within the rim; those as good as one are one, and so are those at its ends [m].
-std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
-  const double apart = narrowest_panel * wavelength;
-  std::erase_if(ends, [&](double end) { return !(end > apart && end < length - apart); });
-  std::ranges::sort(ends);
-  std::vector<double> result{0.0};
-  for (const double end : ends)
-    if (end - result.back() > apart) result.push_back(end);
-  result.push_back(length);
-  return result;
-}
-
 RaySource source_of(const PlaneWave& wave) {
   if (wave.antennas) return {Spreading::point, wave.antennas->transmit.position(), {}, {}};
   return {Spreading::plane, {}, wave.direction, {}};
-}
-
-// Where the boundaries of the wave of an edge cut a rim that they do not contain: it jumps there [m]. A place too many costs
-// little, but none may come and go with rounding.
-void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxis& rim, std::vector<double>& ends) {
-  const dvec3 offset = rim.origin - edge.origin;
-  for (const double boundary : boundaries_of(edge.n, source_angle)) {
-    if (boundary < -undecided || boundary > edge.n * pi + undecided) continue;
-    const double cosine = std::cos(boundary), sine = std::sin(boundary);
-    const dvec3 normal = cosine * edge.normal - sine * edge.into_face, outwards = cosine * edge.into_face + sine * edge.normal;
-    const double slope = glm::dot(normal, rim.tangent);
-    if (std::abs(slope) < along_face) continue;
-    const double place = -glm::dot(normal, offset) / slope;
-    if (glm::dot(outwards, offset + place * rim.tangent) > -undecided * rim.length) ends.push_back(place);
-  }
-}
-
-// Where the rays come from an end of the lit piece: on Keller's cone about that end, a square z^2 + 2 half z + constant = 0.
-// Corner factors bend there. A cone opened to a plane is one root, counted twice, unless the rim lies in it.
-void add_ends_of_light(const StraightEdge& edge, const RaySource& source, const EdgeAxis& rim, std::vector<double>& ends) {
-  constexpr double none = 1e-12;
-  const dvec3 tangent = edge.tangent();
-  const double along = glm::dot(tangent, rim.tangent);
-  for (const double end : {edge.begin, edge.end}) {
-    const double cos_cone = glm::dot(arrival(source, edge.origin + end * tangent).direction, tangent),
-                 cone2 = cos_cone * cos_cone, square = along * along - cone2;
-    const dvec3 offset = rim.origin - edge.origin - end * tangent;
-    const double start = glm::dot(offset, tangent), half = start * along - cone2 * glm::dot(offset, rim.tangent),
-                 constant = start * start - cone2 * glm::dot(offset, offset), root2 = half * half - square * constant;
-    const double scale2 = glm::dot(offset, offset) + rim.length * rim.length;
-    if (root2 < -none * scale2 || std::max(square * square * scale2, half * half) < none * scale2 * none) continue;
-    const double sum = -(half + std::copysign(std::sqrt(std::max(root2, 0.0)), half));
-    for (const double place : {sum / square, constant / sum})
-      if ((start + place * along) * cos_cone > -none * rim.length) ends.push_back(place);
-  }
-}
-
-// Where panels end that grow towards the middle [m].
-std::vector<double> growing_panels(double length, double first) {
-  std::vector<double> ends{0.0};
-  for (double end = first; end < 0.45 * length; end *= panel_growth) ends.push_back(end);
-  const std::size_t half = ends.size();
-  ends.push_back(length / 2);
-  for (std::size_t i = half; i-- > 0;) ends.push_back(length - ends[i]);
-  return ends;
 }
 
 }  // namespace
@@ -269,10 +200,7 @@ const ChebyshevNodes* PenumbraFringe::nodes_of(double half_span) {
 }
 
 std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
-  std::vector<double> ends = growing_panels(rim.length, first_panel * shortest_wavelength_);
-  add_boundaries(source.edge, source.piece.incidence.source_angle, rim, ends);
-  add_ends_of_light(source.edge, source.wave, rim, ends);
-  return joined(ends, rim.length, shortest_wavelength_);
+  return rim_panels(source.edge, source.wave, source.piece.incidence.source_angle, rim, shortest_wavelength_);
 }
 
 void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {

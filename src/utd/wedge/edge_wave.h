@@ -32,4 +32,9 @@ struct EdgeWaveTerms {
 /// measured from face 0 through free space, both in [0, n pi] [rad].
 EdgeWaveTerms edge_wave_terms(double n, double source_angle, double observation_angle);
 
+/// Azimuths at which these waves change their side, inside free space or not: shadow and reflection boundaries [rad].
+inline std::array<double, 4> wave_boundaries(double n, double source_angle) {
+  return {source_angle + pi, source_angle - pi, pi - source_angle, (2 * n - 1) * pi - source_angle};
+}
+
 }  // namespace raytube
