@@ -7,11 +7,15 @@ namespace raytube {
 
 namespace {
 
-constexpr std::size_t most_images = 200;
-constexpr double parallel_edge = 1e-9;  // sine, as that of rays and planes in RayFanTracer
-constexpr double tangency = 1e-13;      // a cone that misses a plane by so little of its width is tangent to it, along one ray
-constexpr double same_azimuth = 1e-6;   // [rad] cuts that are one: those of such a ray, up to the root of twice `tangency` apart
-constexpr double widest_panel = 0.4;    // [rad]
+// All rays about an edge meet a plane alike where the sine between the edge and the plane's normal is smaller (as in
+// RayFanTracer).
+constexpr double parallel_edge = 1e-9;
+// A cone that misses a plane by so small a share of its width is tangent to it, along one ray.
+constexpr double tangency = 1e-13;
+// Cuts closer than this are one [rad]: those of such a ray are up to the root of twice `tangency` apart.
+constexpr double same_azimuth = 1e-6;
+// Panels are no wider, so that a Gauss rule sees whatever waves do between cuts [rad].
+constexpr double widest_panel = 0.4;
 
 class CutFinder {
  public:
@@ -56,7 +60,7 @@ class CutFinder {
 
   void add_corners() {
     for (const dvec3& corner : corners_) add(corner);
-    if (std::max(corners_.size(), mesh_.patches.size()) * mesh_.patches.size() > most_images) return;
+    if (std::max(corners_.size(), mesh_.patches.size()) * mesh_.patches.size() > most_cuts) return;
     for (const Patch& plane : mesh_.patches) {
       add_grazing(plane.normal);
       for (const Patch& mirror : mesh_.patches)

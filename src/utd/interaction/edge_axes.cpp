@@ -61,7 +61,7 @@ EdgeAxis axis_of(const Wedge& wedge, const ConcaveEnds& ends) {
 }  // namespace
 
 double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence) {
-  constexpr double least_sine = 1e-4;
+  constexpr double least_sine = 1e-4;  // below this sine of the cone light runs along the edge, which sends no wave then
   const FaceIncidence& face = incidence.faces[0];
   if (face.sin_cone < least_sine) return 0.0;
   if (wedge.n != 2.0) return incidence.weight;

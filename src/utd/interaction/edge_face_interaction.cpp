@@ -21,11 +21,11 @@ constexpr FringeOptions reflected_fringe{.order = 2, .receiver_shadow = false, .
 // The rules along the rays err by 1e-4 wavelengths: quadrature over the azimuth need not do better, and the estimate of its error
 // begins with that (measured: docs/theory/interaction_accuracy.md).
 constexpr double least_tolerance = 1e-4;
-// Of what is expected of a pair the share that it has, root mean square, where none was computed, and that it has at least
-// (measured: docs/theory/interaction.md).
+// Pairs scatter this share of what is expected of them, root mean square, where none was computed to tell it, and are taken to
+// scatter the second one at least (measured between boxes: docs/theory/interaction.md).
 constexpr double typical_share = 4.0, least_share = 0.1;
-// Sums that wait to be added up in order take so many matrices at most [a megabyte], or those of so many pieces of edges.
-constexpr std::size_t most_waiting = 16384, least_waiting = 16;
+// Sums of pieces of edges that wait to be added up in order take so many matrices, a megabyte, or those of one piece.
+constexpr std::size_t most_waiting = 16384;
 
 // What a look finds: its sum, or piece by piece what has a place of its own in an image.
 struct Found {
@@ -80,7 +80,7 @@ void illuminate(const EdgeLight& light, double tolerance, Found& found) {
   const double each = std::max(tolerance, least) / std::sqrt(static_cast<double>(light.jobs.size()));
   for (ChannelErrors& error : found.result.error)
     for (auto& row : error) row.fill(least);
-  const std::size_t at_a_time = std::max(least_waiting, most_waiting / light.wavenumbers.size());
+  const std::size_t at_a_time = 1 + most_waiting / light.wavenumbers.size();
   std::vector<IlluminatedFaces> parts;
   for (std::size_t first = 0; first < light.jobs.size(); first += at_a_time) {
     const std::span jobs = std::span(light.jobs).subspan(first, std::min(at_a_time, light.jobs.size() - first));
@@ -96,7 +96,9 @@ void illuminate(const EdgeLight& light, double tolerance, Found& found) {
 // Of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that goes on from
 // there has no side. Less the share that counts.
 double beyond_smooth_light(const EdgeLight& light, const LitEdgePiece& piece, const PenumbraFringe& penumbra) {
-  constexpr double near_border = 0.1;  // saves time alone: more is within 1e-5 rad only of edges 500 of their lengths away
+  // Light that differs by more from that on its border is within 1e-5 rad of the border only of edges 500 of their lengths away:
+  // waves are not asked then, which saves time alone.
+  constexpr double near_border = 0.1;
   if (piece.light == 1.0) return 0.0;
   const auto ends_light = [&](const LitJob& job) { return job.has_penumbra() && penumbra.ends_along(piece, *job.piece); };
   const bool on_border = std::abs(piece.light - 0.5) < near_border && std::ranges::any_of(light.jobs, ends_light);
@@ -201,9 +203,9 @@ std::vector<ImageEdge> interaction_pieces(const InteractionScene& scene, const L
 }
 
 double interaction_bytes(std::size_t frequencies) {
-  constexpr double points_at_a_time = 50.0;  // of the longest Gauss rule, and sums
+  constexpr double points_at_a_time = 50.0;  // the longest Gauss rule has 48 points, and two sums come to these
   const auto all = static_cast<double>(frequencies);
-  return (std::max(all * least_waiting, static_cast<double>(most_waiting)) + all * points_at_a_time) * sizeof(ScatteringMatrix);
+  return (static_cast<double>(most_waiting) + all * (1.0 + points_at_a_time)) * sizeof(ScatteringMatrix);
 }
 
 }  // namespace raytube

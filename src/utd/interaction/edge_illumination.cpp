@@ -11,9 +11,10 @@ namespace raytube {
 
 namespace {
 
-// Of a wave's amplitude, what it may be off between nodes: a hundredth of what the rule of its stretch leaves.
+// The amplitude of a wave between nodes may be off by this share of it: a hundredth of what the rule of its stretch leaves.
 constexpr double amplitude_error = 1e-6;
-constexpr double share_at_ends = 0.5;  // of the work on a row: beside the ends of the edge
+// The work on a row is to this share that beside the ends of the edge.
+constexpr double share_at_ends = 0.5;
 
 }  // namespace
 

@@ -17,6 +17,10 @@
 
 namespace raytube {
 
+/// Files of few digits turn faces by as much [rad], and move their corners by as much of their size: whether an edge touches a
+/// face, and on which side of a plane light runs, is not told from less.
+inline constexpr double rounding_of_files = 1e-5;
+
 /// E e^{-jk (d.r + path)}: the incident wave, or what surfaces have made of it. Fields of unit transmit V and H.
 struct PlaneWave {
   dvec3 direction;

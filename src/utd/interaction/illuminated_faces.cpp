@@ -12,10 +12,10 @@ namespace raytube {
 
 namespace {
 
-// Paths that three rays of a panel show lie between somewhat wider bounds.
+// Three rays show the paths of a panel: those of all its rays are taken to spread by this factor more.
 constexpr double wider = 1.25;
-// Waves over an end of the edge turn by no more than that against the rays beside it [rad] (utd/wedge/edge_wave_integral.h).
-constexpr double turn_at_ends = 9.0;
+// Waves over an end of the edge turn by no more than this phase against the rays beside it before they have faded [rad].
+constexpr double turn_at_ends = edge_row::most_root_detour * edge_row::most_root_detour;
 
 template <class Illumination>
 AzimuthDensity density_of(Illumination& illumination) {

@@ -6,11 +6,11 @@
 #include <numeric>
 #include <tuple>
 
+#include "utd/interaction/azimuth_cuts.h"
+
 namespace raytube {
 
 namespace {
-
-constexpr std::size_t most_corners = 200;
 
 // Vertices inside a plane face or a straight edge are no corners.
 std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
@@ -19,7 +19,7 @@ std::vector<dvec3> find_corners(std::span<const Wedge> wedges) {
   const auto key = [](const dvec3& corner) { return std::tuple(corner.x, corner.y, corner.z); };
   std::ranges::sort(corners, {}, key);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  if (corners.size() > most_corners) corners.clear();
+  if (corners.size() > most_cuts) corners.clear();
   return corners;
 }
 

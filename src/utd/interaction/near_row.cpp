@@ -14,9 +14,9 @@ namespace raytube {
 
 namespace {
 
-// The phase within a rule is no further off a linear one [rad].
+// The phase within a rule is off a linear one by less than this [rad].
 constexpr double most_bend = 1.0;
-// Stretches of rays are halved so many times at most.
+// Stretches of rays are halved so many times at most: they are 6e-8 of a row then.
 constexpr int most_halvings = 24;
 
 // Of eta H of a soft and of a hard wave, and of what their slopes add.

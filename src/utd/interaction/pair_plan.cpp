@@ -8,11 +8,9 @@ namespace raytube {
 
 namespace {
 
-// Strengths that differ by less than this share are equal: equal pairs of a body that is turned, or whose triangles come in
+// Pairs whose strengths differ by less than this share are equal: those of a body that is turned, or whose triangles come in
 // another order, differ by rounding, and by that of files of few digits.
-constexpr double equal_share = 2e-5;
-// Contact of an edge and a face as files of few digits leave it, in radians and in sizes of the face.
-constexpr double contact = 1e-5;
+constexpr double equal_share = 2 * rounding_of_files;
 
 struct Pair {
   double expected;
@@ -40,7 +38,7 @@ double solid_angle(const dvec3& point, const Patch& plane, const PatchExtent& fa
 }
 
 bool in_front_of(const Wedge& wedge, const PatchExtent& face) {
-  const double least = contact * std::sqrt(face.area);
+  const double least = rounding_of_files * std::sqrt(face.area);
   return wedge.n == 2.0 || std::ranges::any_of(face.corners, [&](const dvec3& corner) {
            return std::ranges::any_of(wedge.faces,
                                       [&](const WedgeFace& own) { return glm::dot(own.normal, corner - wedge.start) > least; });
@@ -142,10 +140,11 @@ AzimuthRange azimuths_of(const EdgeAxis& axis, const PatchExtent& face) {
     low = std::min(low, turn), high = std::max(high, turn);
   }
   const double end = axis.wedge->n * pi, azimuth = std::atan2(middle.y, middle.x);
-  if (high - low >= pi - contact) return {0.0, end};
+  if (high - low >= pi - rounding_of_files) return {0.0, end};
   AzimuthRange range{end, 0.0};
   for (const double turn : {-2 * pi, 0.0, 2 * pi}) {
-    const double from = std::max(azimuth + low - contact + turn, 0.0), to = std::min(azimuth + high + contact + turn, end);
+    const double from = std::max(azimuth + low - rounding_of_files + turn, 0.0),
+                 to = std::min(azimuth + high + rounding_of_files + turn, end);
     if (from < to) range = {std::min(range.from, from), std::max(range.to, to)};
   }
   return range;

@@ -17,10 +17,9 @@ namespace {
 
 // A lit piece ends so much of its length early where rays leave it: its ends belong to other faces, too.
 constexpr double end_inset = 1e-7;
-// Rays that run along a face are tested beside it, by so much of the target's radius.
+// Rays that run along a face are tested for what blocks them at this distance beside it, a share of the target's radius: above
+// the rounding of files, and below what parts faces.
 constexpr double beside_face = 4e-6;
-// Rays run along a face where the sine of their angle to it is smaller.
-constexpr double along_face = 1e-5;
 
 bool share_a_face(const Wedge& one, const Wedge& other) {
   return std::ranges::any_of(
@@ -31,7 +30,7 @@ bool share_a_face(const Wedge& one, const Wedge& other) {
 dvec3 grazed_side(const Wedge& wedge, const dvec3& direction) {
   dvec3 side(0.0);
   for (const WedgeFace& face : wedge.faces)
-    if (std::abs(glm::dot(direction, face.normal)) < along_face) side += face.normal;
+    if (std::abs(glm::dot(direction, face.normal)) < rounding_of_files) side += face.normal;
   return side;
 }
 
@@ -188,7 +187,7 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
   if (share_a_face(*source.edge->wedge, *lit.edge->wedge) || !has_edge_ray(from.edge, from.wave, middle)) return false;
   const EdgeRay ray = edge_ray(from.edge, from.wave, middle);
   return boundary_at(from.edge.n, ray.source_angle, ray.observation_angle) &&
-         glm::length(ray.leaving - lit.wave->about(middle).direction) < 2 * undecided;
+         glm::length(ray.leaving - lit.wave->about(middle).direction) < 2 * rounding_of_files;
 }
 
 double PenumbraFringe::work_of_panel(std::size_t frequencies) {

@@ -10,9 +10,10 @@ namespace raytube {
 
 namespace {
 
-constexpr double border_share = 0.04;   // of an edge's length: within it a beam's border fades
-constexpr double shortest = 1e-3;       // [wavelengths] pieces of an edge that count, and gaps between them
-constexpr double along_surface = 1e-5;  // sine below which light runs along a surface
+// Light fades over this share of an edge's length to either side of the border of its beam (docs/theory/interaction.md).
+constexpr double border_share = 0.04;
+// Pieces of an edge, and gaps between them, that are shorter than this share of a wavelength do not count: they scatter nothing.
+constexpr double shortest = 1e-3;
 
 // The component along a plane's normal of light that arrives at it, with its sign; of unit light from afar.
 double facing_of(const PlaneWave& wave, const Patch& plane) {
@@ -165,7 +166,7 @@ RayFan ReflectedLight::fan_beside(const ReflectedWave& wave, const EdgeAxis& axi
   const dvec3 over = wedge.faces[0].into_face - wedge.faces[1].into_face;
   const dvec3 across = glm::normalize(glm::cross(axis.tangent, wave.wave.about(middle_of(axis)).direction));
   dvec3 side = wedge.n == 2.0 ? wedge.faces[0].into_face : glm::normalize(over);
-  if (std::abs(glm::dot(side, across)) < along_surface) side = across;
+  if (std::abs(glm::dot(side, across)) < rounding_of_files) side = across;
   const dvec3 base = axis.origin + sideways * side;
   if (!wave.wave.antennas) return {base, axis.tangent, -wave.wave.direction, 0.0, axis.length};
   const dvec3 way = wave.wave.antennas->transmit.position() - base;

@@ -9,7 +9,7 @@
 
 namespace raytube {
 
-/// Pairs of an edge and a sequence of mirrors that may be looked at.
+/// So many pairs of an edge and a sequence of mirrors are looked at in one generation of reflections: a tenth of a second.
 inline constexpr std::size_t most_reflected_pairs = 20000;
 
 /// A reflected wave and what it lights.

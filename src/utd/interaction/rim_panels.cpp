@@ -12,8 +12,6 @@ namespace {
 constexpr double first_panel = 0.8, panel_growth = 4.0;
 // No panel is shorter than this, in wavelengths.
 constexpr double narrowest_panel = 1e-4;
-// A boundary cuts no rim whose direction has a smaller sine to it.
-constexpr double along_boundary = 1e-5;
 
 // In order, within the rim; those as good as one are one, and so are those at its ends [m].
 std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
@@ -32,20 +30,20 @@ std::vector<double> joined(std::vector<double>& ends, double length, double wave
 void add_boundaries(const StraightEdge& edge, double source_angle, const EdgeAxis& rim, std::vector<double>& ends) {
   const dvec3 offset = rim.origin - edge.origin;
   for (const double boundary : wave_boundaries(edge.n, source_angle)) {
-    if (boundary < -undecided || boundary > edge.n * pi + undecided) continue;
+    if (boundary < -rounding_of_files || boundary > edge.n * pi + rounding_of_files) continue;
     const double cosine = std::cos(boundary), sine = std::sin(boundary);
     const dvec3 normal = cosine * edge.normal - sine * edge.into_face, outwards = cosine * edge.into_face + sine * edge.normal;
     const double slope = glm::dot(normal, rim.tangent);
-    if (std::abs(slope) < along_boundary) continue;
+    if (std::abs(slope) < rounding_of_files) continue;
     const double place = -glm::dot(normal, offset) / slope;
-    if (glm::dot(outwards, offset + place * rim.tangent) > -undecided * rim.length) ends.push_back(place);
+    if (glm::dot(outwards, offset + place * rim.tangent) > -rounding_of_files * rim.length) ends.push_back(place);
   }
 }
 
 // Where the rays come from an end of the lit piece: on Keller's cone about that end, a square z^2 + 2 half z + constant = 0.
 // Corner factors bend there. A cone opened to a plane is one root, counted twice, unless the rim lies in it.
 void add_ends_of_light(const StraightEdge& edge, const RaySource& source, const EdgeAxis& rim, std::vector<double>& ends) {
-  constexpr double none = 1e-12;
+  constexpr double none = 1e-12;  // below this share of its terms a coefficient of the equation is rounding
   const dvec3 tangent = edge.tangent();
   const double along = glm::dot(tangent, rim.tangent);
   for (const double end : {edge.begin, edge.end}) {
@@ -76,7 +74,7 @@ std::vector<double> growing_panels(double length, double first) {
 
 std::optional<double> boundary_at(double n, double source, double observation) {
   for (const double boundary : wave_boundaries(n, source))
-    if (std::abs(observation - boundary) < undecided) return boundary;
+    if (std::abs(observation - boundary) < rounding_of_files) return boundary;
   return std::nullopt;
 }
 

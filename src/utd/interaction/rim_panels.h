@@ -9,10 +9,7 @@
 
 namespace raytube {
 
-/// Within so small an angle of a shadow or reflection boundary rounding, and that of files of few digits, decides the side [rad].
-inline constexpr double undecided = 1e-5;
-
-/// The boundary on which, or undecidedly beside which, an observation angle lies, of a wave from this source angle [rad].
+/// The boundary on which, within rounding_of_files, an observation angle lies, of a wave from this source angle [rad].
 std::optional<double> boundary_at(double n, double source, double observation);
 
 /// Ends of panels along a rim [m], which grow from its ends, where it may meet the edge that lights it, to its middle; they end
