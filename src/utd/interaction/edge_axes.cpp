@@ -75,10 +75,15 @@ LitInterval along_wedge(const LitEdgePiece& piece) {
   return axis.reversed() ? LitInterval{1.0 - to, 1.0 - from} : LitInterval{from, to};
 }
 
-std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius) {
+std::vector<PlainPart> plain_parts(const LitEdgePiece& piece, const LookVectors& look, std::span<const double> wavenumbers,
+                                   double radius) {
   const LitInterval lit = along_wedge(piece);
-  std::vector<NearPiece> parts;
-  PieceCutter(*piece.wave->antennas, sampling_wavenumber(wavenumbers), radius).cut(*piece.edge->wedge, lit.begin, lit.end, parts);
+  const PlaneWave& wave = *piece.wave;
+  if (!wave.antennas) return {{lit, look_of(wave, look), wave.path}};
+  std::vector<NearPiece> near;
+  PieceCutter(*wave.antennas, sampling_wavenumber(wavenumbers), radius).cut(*piece.edge->wedge, lit.begin, lit.end, near);
+  std::vector<PlainPart> parts;
+  for (const NearPiece& part : near) parts.push_back({{part.begin, part.end}, part.look, part.path});
   return parts;
 }
 

@@ -17,8 +17,17 @@ double incidence_weight(const Wedge& wedge, const WedgeIncidence& incidence);
 /// The lit part of a piece as a part of its wedge.
 LitInterval along_wedge(const LitEdgePiece& piece);
 
-/// The parts of a piece along which the waves of its antennas, at a finite distance, are plane on a target of this radius.
-std::vector<NearPiece> near_parts(const LitEdgePiece& piece, std::span<const double> wavenumbers, double radius);
+/// A part of a lit piece in a wave that is plane along it.
+struct PlainPart {
+  LitInterval of_wedge;
+  LookVectors look;
+  double path;  // added to the phase that the plane waves of `look` have [m]
+};
+
+/// The parts of a piece in its wave, `look` but for that: the whole of it, or of antennas at a finite distance as many as make
+/// both their waves plane along each on a target of this radius.
+std::vector<PlainPart> plain_parts(const LitEdgePiece& piece, const LookVectors& look, std::span<const double> wavenumbers,
+                                   double radius);
 
 /// Axes of the radiating wedges in front of whose faces there is anything of the mesh, in the order of the wedges; none on a
 /// convex body. They point into `wedges`. Waves of an edge that ends at another surface go on as its mirror does where that is a

@@ -24,6 +24,14 @@ PlaneWave PlaneWave::about(const dvec3& point) const {
   return {ray.direction, ray.field, ray.path - glm::dot(ray.direction, point), antennas};
 }
 
+LookVectors look_of(const PlaneWave& wave, const LookVectors& look) {
+  LookVectors result = look;
+  result.incident = wave.direction;
+  result.electric = wave.electric;
+  for (int q = 0; q < 2; ++q) result.magnetic[q] = glm::cross(wave.direction, wave.electric[q]);
+  return result;
+}
+
 // A surface on which the edge ends goes on with its waves as their mirror. An open fan has one on either side, or none.
 bool ends_at_surface(const LitEdgePiece& piece, int end, const dvec3& direction) {
   const EdgeAxis& edge = *piece.edge;

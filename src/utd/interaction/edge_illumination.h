@@ -33,6 +33,9 @@ struct PlaneWave {
   PlaneWave about(const dvec3& point) const;
 };
 
+/// A look in which this wave arrives.
+LookVectors look_of(const PlaneWave& wave, const LookVectors& look);
+
 /// A wedge with a coordinate of its own: the position along the tangent of its first face, from `origin` on, 0 to `length` [m].
 struct EdgeAxis {
   const Wedge* wedge = nullptr;

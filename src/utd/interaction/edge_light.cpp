@@ -3,21 +3,12 @@
 #include <algorithm>
 
 #include "scene/frequency_bands.h"
-#include "utd/fringe/near_pieces.h"
 #include "utd/shadow/lit_edges.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
 
 namespace {
-
-LookVectors look_of(const PlaneWave& wave, const LookVectors& look) {
-  LookVectors result = look;
-  result.incident = wave.direction;
-  result.electric = wave.electric;
-  for (int q = 0; q < 2; ++q) result.magnetic[q] = glm::cross(wave.direction, wave.electric[q]);
-  return result;
-}
 
 LookVectors look_from(const NearAntennas& antennas, const dvec3& point) {
   const AntennaRay in = antennas.transmit.ray_to(point), out = antennas.receive->ray_to(point);
@@ -102,16 +93,11 @@ PathPlace EdgeLight::place_of(const LitJob& job) const {
 
 std::vector<ReflectedLook> EdgeLight::looks_of(const ReflectedWave& wave, std::span<const LitEdgePiece> pieces) const {
   std::vector<ReflectedLook> looks;
-  if (!wave.wave.antennas) {
-    looks.push_back({look_of(wave.wave, look), wave.wave.path, {}, pieces.front().by_surfaces});
-    for (const LitEdgePiece& piece : pieces)
-      looks.back().edges.push_back({wedge_of(*piece.edge), {along_wedge(piece)}, piece.weight});
-    return looks;
-  }
   for (const LitEdgePiece& piece : pieces)
-    for (const NearPiece& part : near_parts(piece, wavenumbers, scene.edges.tracer.mesh().radius))
-      looks.push_back(
-          {part.look, part.path, {{wedge_of(*piece.edge), {{part.begin, part.end}}, piece.weight}}, piece.by_surfaces});
+    for (const PlainPart& part : plain_parts(piece, look, wavenumbers, scene.edges.tracer.mesh().radius)) {
+      if (looks.empty() || wave.wave.antennas) looks.push_back({part.look, part.path, {}, piece.by_surfaces});
+      looks.back().edges.push_back({wedge_of(*piece.edge), {part.of_wedge}, piece.weight});
+    }
   return looks;
 }
 

@@ -147,37 +147,23 @@ void PenumbraFringe::take_apart(const LitEdgePiece& source, const PathPlace& pla
   });
 }
 
+// Edges without strips, which this would complete, have none of it.
 void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vector<ScatteringMatrix>& sums) const {
   if (weight == 0.0) return;
-  if (!lit.wave->antennas) {
-    LookVectors look = look_;
-    look.incident = lit.wave->direction;
-    look.electric = lit.wave->electric;
-    for (int q = 0; q < 2; ++q) look.magnetic[q] = glm::cross(look.incident, look.electric[q]);
-    return add_step({lit, look, lit.from, lit.to, lit.wave->path}, weight, sums);
-  }
-  for (const NearPiece& part : near_parts(lit, wavenumbers_, tracer_.mesh().radius)) {
-    const double begin = part.begin * lit.edge->length, end = part.end * lit.edge->length;
-    const bool reversed = lit.edge->reversed();
-    const double from = reversed ? lit.edge->length - end : begin, to = reversed ? lit.edge->length - begin : end;
-    add_step({lit, part.look, from, to, part.path}, weight, sums);
-  }
-}
-
-void PenumbraFringe::add_step(const PlainPiece& piece, double weight, std::vector<ScatteringMatrix>& sums) const {
-  const auto& [lit, look, from, to, wave_path] = piece;
   const Wedge& wedge = *lit.edge->wedge;
-  const WedgeIncidence incidence = incidence_on(wedge, look.incident);
-  if (incidence.weight != 1.0) return;  // nor has it strips then, which this would complete
-  const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence, look);
-  const dvec3 difference = look.scattered - look.incident, middle = lit.edge->origin + (from + to) / 2 * lit.edge->tangent;
-  const double length = to - from, half_span = length / 2 * glm::dot(difference, lit.edge->tangent);
-  const double path = glm::dot(difference, middle) - wave_path;
-  bool windowed = false;
-  for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    const double k = wavenumbers_[f];
-    ScatteringMatrix sum = amplitude_at(amplitude, k, windowed);
-    sums[f] += sum *= weight * length * sinc(k * half_span) * std::polar(1.0, k * path);
+  for (const auto& [of_wedge, look, wave_path] : plain_parts(lit, look_, wavenumbers_, tracer_.mesh().radius)) {
+    const WedgeIncidence incidence = incidence_on(wedge, look.incident);
+    if (incidence.weight != 1.0) continue;
+    const EdgeAmplitude amplitude = edge_amplitude(wedge, incidence, look);
+    const dvec3 difference = look.scattered - look.incident, way = (of_wedge.end - of_wedge.begin) * (wedge.end - wedge.start);
+    const dvec3 middle = glm::mix(wedge.start, wedge.end, (of_wedge.begin + of_wedge.end) / 2);
+    const double half_span = glm::dot(difference, way) / 2, path = glm::dot(difference, middle) - wave_path;
+    bool windowed = false;
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
+      const double k = wavenumbers_[f];
+      ScatteringMatrix sum = amplitude_at(amplitude, k, windowed);
+      sums[f] += sum *= weight * glm::length(way) * sinc(k * half_span) * std::polar(1.0, k * path);
+    }
   }
 }
 

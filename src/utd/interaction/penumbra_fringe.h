@@ -7,7 +7,6 @@
 
 #include "math/node_waves.h"
 #include "mesh/trace/tracer.h"
-#include "utd/fringe/near_pieces.h"
 #include "utd/interaction/pair_plan.h"
 #include "utd/wedge/diffracted_field.h"
 
@@ -40,13 +39,6 @@ class PenumbraFringe {
  private:
   struct Source;
   struct Way;
-  /// A part of a lit piece along which the waves of its look are plane.
-  struct PlainPiece {
-    const LitEdgePiece& lit;
-    LookVectors look;
-    double from, to, path;  // [m]
-  };
-  void add_step(const PlainPiece& piece, double weight, std::vector<ScatteringMatrix>& sums) const;
   Way way_over(const Source& source, const EdgeRay& ray, const dvec3& place) const;
   struct ArrivingWave;
   struct RimPoint;

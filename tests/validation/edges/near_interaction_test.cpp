@@ -24,14 +24,12 @@ struct Body {
 
   double unit() const { return 4 * mesh.radius * mesh.radius / lambda; }  // D^2/lambda
 
-  InteractionResult far(const Look& look) const {
-    return band.edges.interaction(look, {1e-6 * lambda, std::numeric_limits<double>::infinity()});
-  }
+  InteractionResult far(const Look& look) const { return band.edges.interaction(look, {1e-6 * lambda}); }
   InteractionResult near(const Look& look) const {
     const Radar radar;
     const AntennaPair pair(look, radar, mesh.center);
     const NearAntennas antennas{ImageAntenna(pair.transmit), &pair.receive};
-    return band.edges.interaction(look, {1e-6 * lambda, std::numeric_limits<double>::infinity(), &antennas});
+    return band.edges.interaction(look, {1e-6 * lambda, 0.0, &antennas});
   }
 
   TriangleMesh mesh;
