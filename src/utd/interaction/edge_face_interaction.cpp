@@ -22,7 +22,7 @@ constexpr FringeOptions reflected_fringe{.order = 2, .receiver_shadow = false, .
 // begins with that (measured: docs/theory/interaction_accuracy.md).
 constexpr double least_tolerance = 1e-4;
 // Pairs scatter this share of what is expected of them, root mean square, where none was computed to tell it, and are taken to
-// scatter the second one at least (measured between boxes: docs/theory/interaction.md).
+// scatter the second one at least (set by two boxes: docs/theory/interaction.md).
 constexpr double typical_share = 4.0, least_share = 0.1;
 // Sums of pieces of edges that wait to be added up in order take so many matrices, a megabyte, or those of one piece.
 constexpr std::size_t most_waiting = 16384;

@@ -73,8 +73,8 @@ double expected_of_pair(const EdgeAxis& axis, const Patch& plane, const PatchExt
   return axis.length * angle / (32 * pi * pi * pi);
 }
 
-// Measured on boxes, a car, a tracked carrier, three trucks and a bulldozer (docs/theory/interaction.md): every ray may meet any
-// of the faces, and quadrature halves its panels wherever one of these begins or ends. Reflected light and rims are counted in.
+// Set by eye between boxes and vehicles (docs/theory/interaction.md): every ray may meet any of the faces, and quadrature halves
+// its panels wherever one of these begins or ends. Reflected light and rims are counted in.
 double work_of_pair(std::size_t patches) { return 2.5e6 + 1.25e5 * static_cast<double>(patches); }
 
 double bytes_of_pairs(double pairs, double work) { return std::min(pairs, 4.0 * work / work_of_pair(0)) * sizeof(Pair); }

@@ -69,7 +69,7 @@ inline const PairPlan all_pairs{};
 /// is not seen from the edge.
 double expected_of_pair(const EdgeAxis& axis, const Patch& plane, const PatchExtent& face);
 
-/// Work of a pair at one frequency where so many patches count (utd/wedge/work.h), right within a factor of ten.
+/// Work of a pair at one frequency where so many patches count (utd/wedge/work.h): within a factor of ten on boxes.
 double work_of_pair(std::size_t patches);
 
 /// Bytes that the choice among so many pairs takes.
