@@ -12,6 +12,10 @@ namespace {
 // another order, differ by rounding, and by that of files of few digits.
 constexpr double equal_share = 2 * rounding_of_files;
 
+// Share of all pairs of which a budget that pays for less pays for none: to list millions of pairs takes seconds, and no body
+// that was tried has half of what is expected in so few.
+constexpr double least_part = 1e-3;
+
 struct Pair {
   double expected;
   std::uint32_t axis, patch;
@@ -81,8 +85,14 @@ double bytes_of_pairs(double pairs, double work) { return std::min(pairs, 4.0 * 
 
 PairPlan::PairPlan(const PairCandidates& of, double work) : all_(false), patches_(of.axes.size()), expected_(of.axes.size()) {
   const double wanted = std::floor(work / work_of_pair(of.patches.size()));
-  const auto kept =
-      static_cast<std::size_t>(std::min(2.0 * wanted + 1.0, static_cast<double>(of.axes.size() * of.patches.size())));
+  const auto all = static_cast<double>(of.axes.size()) * static_cast<double>(of.patches.size());
+  if (wanted < least_part * all) {
+    left_out_ = static_cast<std::uint64_t>(all);
+    for (const EdgeAxis& axis : of.axes)
+      if (axis.length >= of.shortest_axis) left_ += axis.length / (16 * pi * pi);  // as if faces filled a half space about it
+    return;
+  }
+  const auto kept = static_cast<std::size_t>(std::min(2.0 * wanted + 1.0, all));
   std::vector<Pair> pairs;
   double squares = 0.0;
   std::uint64_t seen = 0;

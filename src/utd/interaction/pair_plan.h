@@ -37,7 +37,8 @@ class PairPlan {
   /// All of them.
   PairPlan() = default;
   /// The strongest that `work` (utd/wedge/work.h) pays for in a look at one frequency. Of pairs as strong all count or none,
-  /// whatever their order: all if these are not more than twice as many as are paid for.
+  /// whatever their order: all if these are not more than twice as many as are paid for. None where less than a thousandth of all
+  /// is paid for: what is left out is then taken to fill a half space about every edge.
   PairPlan(const PairCandidates& of, double work);
 
   bool all() const { return all_; }
@@ -53,7 +54,7 @@ class PairPlan {
   std::uint64_t left_out() const { return left_out_; }  // others whose edge sees the face
   double expected_of_left_out() const { return left_; }
   /// Share of the squares expected of all pairs that those chosen have.
-  double reach() const { return all_ ? 1.0 : chosen_ / (chosen_ + left_); }
+  double reach() const { return all_ ? 1.0 : chosen_ > 0.0 ? chosen_ / (chosen_ + left_) : 0.0; }
 
  private:
   bool all_ = true;
