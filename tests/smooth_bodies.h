@@ -124,4 +124,19 @@ inline PolygonSoup capsule(double radius, double length, std::uint32_t columns) 
   return revolution(meridian, rows, columns);
 }
 
+/// Chord 3 wavelengths along x between sharp edges, 0.45 thick, two equal arcs; span 3 wavelengths along y, flat caps.
+inline PolygonSoup lens_wing(double wavelength) {
+  constexpr int parts = 64;
+  const double chord = 3 * wavelength, rise = 0.225 * wavelength, radius = (chord * chord / 4 + rise * rise) / (2 * rise);
+  const double half = std::asin(0.5 * chord / radius);
+  std::vector<dvec2> outline;
+  for (const int side : {-1, 1})
+    for (int i = 0; i < parts; ++i) {
+      const double angle = half * (2.0 * i / parts - 1.0);
+      outline.push_back({-side * radius * std::sin(angle), side * (radius * std::cos(angle) - radius + rise)});
+    }
+  const glm::dmat3 turn(dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(0, -1, 0));
+  return transformed(prism(outline, -1.5 * wavelength, 1.5 * wavelength), turn);
+}
+
 }  // namespace raytube::shapes

@@ -77,7 +77,8 @@ class Result:
     @property
     def mechanisms(self) -> xr.Dataset:
         """S by mechanism [m], complex, one variable each: ``bounce_1``, ``bounce_2``, ..., ``surface_waves``, ``rounded_edges``,
-        ``flat_tips``, ``round_tips``, ``edges_order_1``, ``edges_order_2_on``, ``interaction``; they add up to S to rounding.
+        ``flat_tips``, ``round_tips``, ``edges_order_1``, ``edges_order_2_on``, ``material_edges_order_1``,
+        ``material_edges_order_2_on``, ``plate_corners``, ``thin_ends``, ``solid_corners``, ``interaction``; they add up to S to rounding.
 
         Raises
         ------

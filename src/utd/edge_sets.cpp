@@ -104,10 +104,12 @@ PairPlan EdgeSets::plan_of(const InteractionParts& parts, const InteractionGroup
   return {{parts.axes, group.shortest_axis, setup_.tracer.mesh(), parts.patches, large}, setup_.interaction_work};
 }
 
-bool EdgeSets::radiates(const Wedge& wedge) const { return wedge.radiates() || (materials_ && materials_->radiates(wedge)); }
+bool EdgeSets::radiates(const Wedge& wedge, EdgeKind kind) const {
+  return kind == EdgeKind::conductors ? wedge.radiates() : materials_ && materials_->radiates(wedge);
+}
 
-bool EdgeSets::radiate() const {
-  const auto one_does = [this](const Wedge& wedge) { return radiates(wedge); };
+bool EdgeSets::radiate(EdgeKind kind) const {
+  const auto one_does = [&](const Wedge& wedge) { return radiates(wedge, kind); };
   return std::ranges::any_of(sets_, [&](const Set& set) { return std::ranges::any_of(*set.wedges, one_does); });
 }
 
@@ -116,7 +118,8 @@ std::vector<double> EdgeSets::radiating_lengths() const {
   for (const Set& set : sets_) {
     double sum = 0.0;
     for (const Wedge& wedge : *set.wedges)
-      if (radiates(wedge)) sum += (wedge.conducting() ? 1.0 : 2.0) * wedge.length();
+      if (radiates(wedge, EdgeKind::conductors) || radiates(wedge, EdgeKind::materials))
+        sum += (wedge.conducting() ? 1.0 : 2.0) * wedge.length();
     for (const std::size_t index : set.indices) lengths[index] = sum;
   }
   return lengths;
@@ -145,8 +148,9 @@ std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtE
   return result;
 }
 
-FringeOptions EdgeSets::options(const Set& set) const {
+FringeOptions EdgeSets::options(const Set& set, EdgeKind kind) const {
   FringeOptions options = setup_.fringe;
+  options.of_materials = kind == EdgeKind::materials;
   options.continue_by_images = !set.interaction.empty();
   return options;
 }
@@ -155,7 +159,7 @@ EdgeLook EdgeSets::look_of(const Look& look, const Radar& radar, std::span<const
   return {look, radar, setup_.tracer.mesh(), frequencies};
 }
 
-EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const {
+EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves, EdgeKind kind) const {
   EdgeLookResult all;
   all.scattering.resize(setup_.frequencies.size());
   if (setup_.fringe.order > 1) all.higher.resize(setup_.frequencies.size());
@@ -165,22 +169,49 @@ EdgeLookResult EdgeSets::scattering(const Look& look, const Radar& radar, const 
       const SurfaceLight light = part.over_curved ? SurfaceLight{waves.arrivals, part.indices} : SurfaceLight{};
       put(part.indices,
           fringe_scattering(scene(set, part.over_curved), look_of(look, radar, part.frequencies),
-                            {part.frequencies, part.indices}, options(set), light),
+                            {part.frequencies, part.indices}, options(set, kind), light),
           all);
     }
   return all;
 }
 
 std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, const PieceRequest& request,
-                                        const WavesAtEdges& waves) const {
+                                        const WavesAtEdges& waves, EdgeKind kind) const {
   for (const Set& set : sets_)
     for (const SetPart& part : parts_of(set, waves)) {
       const auto found = std::ranges::find(part.indices, request.frequency_index);
       if (found == part.indices.end()) continue;
       const PieceRequest in_part{static_cast<std::size_t>(found - part.indices.begin()), request.lattice, request.by_path};
       return fringe_pieces(scene(set, part.over_curved), look_of(look, radar, part.frequencies), {part.frequencies, part.indices},
-                           in_part, options(set));
+                           in_part, options(set, kind));
     }
+  return {};
+}
+
+bool EdgeSets::has_corner_waves(CornerWaveKind kind) const {
+  return std::ranges::any_of(sets_, [&](const Set& set) { return set.corners != nullptr && set.corners->any(kind); });
+}
+
+CornerWaveSum EdgeSets::corner_waves(const Look& look, const Radar& radar, CornerWaveKind kind) const {
+  CornerWaveSum all{std::vector<ScatteringMatrix>(setup_.frequencies.size())};
+  for (const Set& set : sets_) {
+    if (!set.corners->any(kind)) continue;
+    const CornerWaveSum part = corner_wave_scattering(scene(set, false), look_of(look, radar, set.frequencies),
+                                                      {set.frequencies, set.indices}, options(set), kind);
+    for (std::size_t i = 0; i < set.indices.size(); ++i) all.scattering[set.indices[i]] = part.scattering[i];
+    all.edges = std::max(all.edges, part.edges);
+    all.work += part.work;
+  }
+  return all;
+}
+
+std::vector<ImageEdge> EdgeSets::corner_wave_pieces(const Look& look, const Radar& radar, const PieceRequest& request,
+                                                    CornerWaveKind kind) const {
+  for (const Set& set : sets_)
+    if (const auto found = std::ranges::find(set.indices, request.frequency_index); found != set.indices.end())
+      return raytube::corner_wave_pieces(
+          scene(set, false), look_of(look, radar, set.frequencies), {set.frequencies, set.indices},
+          {static_cast<std::size_t>(found - set.indices.begin()), request.lattice, request.by_path}, options(set), kind);
   return {};
 }
 

@@ -9,6 +9,7 @@
 #include "mesh/features/wedge_sets.h"
 #include "mesh/model/face_tree.h"
 #include "utd/corner/corner_waves.h"
+#include "utd/fringe/corner_edges.h"
 #include "utd/fringe/edges.h"
 #include "utd/fringe/material_edges.h"
 #include "utd/interaction/edge_face_interaction.h"
@@ -32,6 +33,9 @@ struct EdgeSetup {
   FringeOptions fringe{};                 // continue_by_images is set where edges illuminate other faces
 };
 
+/// Edges between perfect conductors, or beside other materials.
+enum class EdgeKind { conductors, materials };
+
 /// Waves over curved surfaces in one look.
 struct WavesAtEdges {
   std::span<const SurfaceArrival> arrivals{};  // that reach edges, at the frequencies of the sets
@@ -52,7 +56,8 @@ class EdgeSets {
   EdgeSets(const EdgeSets&) = delete;
 
   /// Whether any edge does, in any look.
-  bool radiate() const;
+  bool radiate() const { return radiate(EdgeKind::conductors) || radiate(EdgeKind::materials); }
+  bool radiate(EdgeKind kind) const;
 
   /// How long all edges that do are together, per frequency [m]. What a material blocks is 1 - T, at most twice what a conductor
   /// does: its edges count as two.
@@ -60,11 +65,18 @@ class EdgeSets {
 
   /// The fringe currents of one look at all frequencies, in their order; the lit wedges are counted at the highest. `radar` is
   /// that of antennas at a finite distance.
-  EdgeLookResult scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves) const;
+  EdgeLookResult scattering(const Look& look, const Radar& radar, const WavesAtEdges& waves, EdgeKind kind) const;
 
   /// The fringe currents of one look at one of the frequencies, piece by piece: see fringe_pieces().
-  std::vector<ImageEdge> pieces(const Look& look, const Radar& radar, const PieceRequest& request,
-                                const WavesAtEdges& waves) const;
+  std::vector<ImageEdge> pieces(const Look& look, const Radar& radar, const PieceRequest& request, const WavesAtEdges& waves,
+                                EdgeKind kind) const;
+
+  /// Whether waves of this kind run along any edge from corner to corner.
+  bool has_corner_waves(CornerWaveKind kind) const;
+  /// What they add to one look at all frequencies, and piece by piece at one of them.
+  CornerWaveSum corner_waves(const Look& look, const Radar& radar, CornerWaveKind kind) const;
+  std::vector<ImageEdge> corner_wave_pieces(const Look& look, const Radar& radar, const PieceRequest& request,
+                                            CornerWaveKind kind) const;
 
   /// What waves over curved surfaces start at the edges, at one of the frequencies, wave by wave.
   std::vector<ImageEdge> arrival_pieces(const Look& look, const Radar& radar, const PieceRequest& request,
@@ -103,7 +115,7 @@ class EdgeSets {
     // Only these of the frequencies.
     void keep(const std::vector<bool>& wanted);
   };
-  bool radiates(const Wedge& wedge) const;
+  bool radiates(const Wedge& wedge, EdgeKind kind) const;
   Set set_of(const WedgeSet& wedges) const;
   void prepare_interaction();
   void divide_by_mirrors();
@@ -117,7 +129,7 @@ class EdgeSets {
   std::vector<SetPart> parts_of(const Set& set, const WavesAtEdges& waves) const;
   EdgeLook look_of(const Look& look, const Radar& radar, std::span<const double> frequencies) const;
   EdgeScene scene(const Set& set, bool over_curved) const;
-  FringeOptions options(const Set& set) const;
+  FringeOptions options(const Set& set, EdgeKind kind = EdgeKind::conductors) const;
   InteractionScene interaction_scene(const Set& set, const InteractionGroup& group) const;
   PairPlan plan_of(const InteractionParts& parts, const InteractionGroup& group) const;
   void put(const Set& set, const InteractionGroup& group, const InteractionResult& part, InteractionResult& all) const;

@@ -5,8 +5,9 @@
 namespace raytube {
 
 const std::vector<MechanismEntry>& mechanism_list() {
-  static const std::vector<MechanismEntry> list{surface_waves_entry(), rounded_edges_entry(), flat_tips_entry(),
-                                                round_tips_entry(),    edge_currents_entry(), interaction_entry()};
+  static const std::vector<MechanismEntry> list{
+      surface_waves_entry(),  rounded_edges_entry(), flat_tips_entry(), round_tips_entry(),    edge_currents_entry(),
+      material_edges_entry(), plate_corners_entry(), thin_ends_entry(), solid_corners_entry(), interaction_entry()};
   return list;
 }
 

@@ -19,9 +19,16 @@ MechanismEntry rounded_edges_entry();
 MechanismEntry flat_tips_entry();
 MechanismEntry round_tips_entry();
 
-/// Fringe currents of edges, and what these start at further edges and along plates (utd/fringe, utd/multiple, utd/corner).
+/// Fringe currents of edges, and what these start at further edges: between perfect conductors (utd/fringe, utd/multiple), and
+/// beside other materials (utd/sheet, utd/impedance).
 MechanismEntry edge_currents_entry();
 MechanismState edge_currents_state(const SolvePlan& plan);
+MechanismEntry material_edges_entry();
+
+/// Waves along edges from corner to corner (utd/corner).
+MechanismEntry plate_corners_entry();
+MechanismEntry thin_ends_entry();
+MechanismEntry solid_corners_entry();
 /// The key that switches on edge currents, and what comes with them alone: edge-face interaction, waves over curved surfaces.
 inline constexpr const char* more_edge_currents =
     "edges.method = \"fringe\", which takes several times as long where there are many edges";

@@ -6,6 +6,7 @@
 
 #include "math/erfc_ray.h"
 #include "math/smooth_step.h"
+#include "utd/corner/along_edge.h"
 #include "utd/corner/corner_angles.h"
 #include "utd/corner/wedge_ends.h"
 
@@ -148,7 +149,7 @@ void CornerWaves::put_end(std::span<const Wedge> wedges, const ThinEnd& thin) {
     double length = 0.0;
     for (const std::uint32_t w : thin.sides[side]) length += wedges[w].length();
     for (const std::uint32_t w : thin.sides[side])
-      edges_[w] = Edge{*ends,          thin.length(), wedges[w].length() / length, thin.sides[0][0],
+      edges_[w] = Edge{*ends,          thin.length(), wedges[w].length() / length, CornerWaveKind::thin_end, thin.sides[0][0],
                        thin.thickness, thin.outwards, thin.towards[side]};
   }
 }
@@ -169,6 +170,19 @@ void CornerWaves::put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& t
     }
 }
 
+std::optional<CornerWaveKind> CornerWaves::kind(std::uint32_t wedge) const {
+  if (edges_[wedge]) return edges_[wedge]->kind;
+  return solids_[wedge] ? std::optional(CornerWaveKind::solid) : std::nullopt;
+}
+
+bool CornerWaves::any(CornerWaveKind wanted) const {
+  for (std::uint32_t i = 0; i < edges_.size(); ++i)
+    if (kind(i) == wanted) return true;
+  return false;
+}
+
+double CornerWaves::Edge::reach(double wavenumber) const { return sheet_share(thickness, wavenumber, length); }
+
 double CornerWaves::part(std::uint32_t wedge, const dvec3& incident) const {
   if (!edges_[wedge]) return 1.0;
   const double from_beyond = glm::dot(incident, edges_[wedge]->towards);
@@ -187,17 +201,20 @@ const SheetCorner& CornerWaves::Angle::corner() const {
   return *corner_;
 }
 
-CornerWaves::Passage CornerWaves::passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields) {
-  const auto local = [&](const dvec3& v) {
-    return dvec3(glm::dot(v, end.bisector), glm::dot(v, end.along), end.side * glm::dot(v, end.normal));
-  };
-  const SheetCorner::Start wave = end.angle->corner().start(local(towards));
-  Passage result;
+CornerWaves::Passage CornerWaves::End::passage(const dvec3& towards, const std::array<dvec3, 2>& fields) const {
+  const auto local = [&](const dvec3& v) { return dvec3(glm::dot(v, bisector), glm::dot(v, along), side * glm::dot(v, normal)); };
+  const SheetCorner::Start wave = angle->corner().start(local(towards));
+  Passage result{*this, towards};
   for (int q = 0; q < 2; ++q) {
     result.flat[q] = dot(wave.flat, local(fields[q]));
     result.upright[q] = dot(wave.upright, local(fields[q]));
   }
   return result;
+}
+
+std::array<Complex, 2> CornerWaves::Passage::at(double electrical_length) const {
+  const Complex factor = upright_factor(end, towards, electrical_length);
+  return {flat[0] + factor * upright[0], flat[1] + factor * upright[1]};
 }
 
 // E upright on the sheet: a wave that grazes it on its way to a corner behind it has one sign above and the other below, and an
@@ -219,74 +236,46 @@ Complex CornerWaves::upright_factor(const End& end, const dvec3& towards, double
 // The wave of one edge of the corner, diffracted to run along the other, is among the strips; so is what follows. It runs there
 // if the edge has the source on the cone on which the other edge lies: `off_cone` is the angle off that. Nor does a corner send a
 // plane wave where one of its edges points to, `off_edge` away; and between edges of a fraction of a wavelength it is none.
-double CornerWaves::weight(const End& end, const dvec3& towards, double wavenumber, double length) {
-  const double other = wavenumber * end.other_length;
+double CornerWaves::End::weight(const dvec3& towards, double wavenumber, double length) const {
+  const double other = wavenumber * other_length;
   double product = -std::expm1(-other * other);
-  for (const dvec3& edge : {end.edge, end.other_edge}) {
-    const double off_edge = angle_between(towards, edge), off_cone = off_edge + end.angle->value() - pi;
-    for (const double angle : {off_edge, off_cone}) product *= -std::expm1(-wavenumber * length * angle * angle);
+  for (const dvec3& one : {edge, other_edge}) {
+    const double off_edge = angle_between(towards, one), off_cone = off_edge + angle->value() - pi;
+    for (const double off : {off_edge, off_cone}) product *= -std::expm1(-wavenumber * length * off * off);
   }
   return product;
 }
 
-// From the transmitter over end `from` and the other one to the receiver.
-void CornerWaves::add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
-                          std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
-  const End &first = edge.ends[from], &last = edge.ends[1 - from];
-  const LookVectors &in = visits[from].look, &out = visits[1 - from].look;
-  const auto weights = [&](double k) {
-    return weight(first, -in.incident, k, edge.length) * weight(last, out.scattered, k, edge.length) *
-           sheet_share(edge.thickness, k, edge.length);
-  };
-  const auto matters = [&](double frequency) { return weights(wavenumber(frequency)) >= least_weight; };
-  if (std::ranges::none_of(frequencies, matters)) return;
-  const Passage starts = passage(first, -in.incident, in.electric), leaves = passage(last, out.scattered, out.receive);
-  const double path = visits[from].in + visits[1 - from].out - edge.length;
-  const double further_out = glm::dot(out.scattered - in.incident, edge.outwards);
-  for (std::size_t f = 0; f < frequencies.size(); ++f) {
-    const double k = wavenumber(frequencies[f]), lambda = wavelength(frequencies[f]);
-    const double phase = k * (path + further_out * edge_shift(edge.thickness, k, edge.length));
-    const Complex factor = over_half_plane * std::polar(share * weights(k) * lambda * std::sqrt(lambda / edge.length), phase);
-    const Complex first_upright = upright_factor(first, -in.incident, k * edge.length);
-    const Complex last_upright = upright_factor(last, out.scattered, k * edge.length);
-    for (int p = 0; p < 2; ++p)
-      for (int q = 0; q < 2; ++q)
-        sum[f].at(p, q) +=
-            factor * (leaves.flat[p] + last_upright * leaves.upright[p]) * (starts.flat[q] + first_upright * starts.upright[q]);
-  }
-}
-
-// Both ways.
-void CornerWaves::add_solid(const SolidEdge& edge, double share, const std::array<Visit, 2>& visits,
-                            std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
-  const auto weights = [&](int from, double k) {
+// Both ways, from the transmitter over one end and the other one to the receiver. An edge has at its ends `weight`, which hangs
+// on the wavelength, and `passage`, the part of a wave there that both fields of an antenna have.
+template <class AnyEdge>
+void CornerWaves::add_both_ways(const AnyEdge& edge, double share, const std::array<Visit, 2>& visits,
+                                std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
+  const auto weight = [&](int from, double k) {
     return edge.ends[from].weight(-visits[from].look.incident, k, edge.length) *
            edge.ends[1 - from].weight(visits[1 - from].look.scattered, k, edge.length) * edge.reach(k);
   };
-  const auto matters = [&](double frequency) {
-    return weights(0, wavenumber(frequency)) >= least_weight || weights(1, wavenumber(frequency)) >= least_weight;
+  const auto matters = [&](double f) {
+    return weight(0, wavenumber(f)) >= least_weight || weight(1, wavenumber(f)) >= least_weight;
   };
   if (std::ranges::none_of(frequencies, matters)) return;
-  const std::array<SolidPassage, 2> ends{passage(edge.ends[0], visits[0].look), passage(edge.ends[1], visits[1].look)};
+  const auto sent_at = [&](int end) { return edge.ends[end].passage(-visits[end].look.incident, visits[end].look.electric); };
+  const auto received_at = [&](int end) { return edge.ends[end].passage(visits[end].look.scattered, visits[end].look.receive); };
+  const auto is_back = [](const Visit& at) {
+    return at.look.scattered == -at.look.incident && at.look.receive == at.look.electric;
+  };
+  const std::array sent{sent_at(0), sent_at(1)};
+  const std::array received = std::ranges::all_of(visits, is_back) ? sent : std::array{received_at(0), received_at(1)};
   for (std::size_t f = 0; f < frequencies.size(); ++f)
     for (const int from : {0, 1}) {
-      const double k = wavenumber(frequencies[f]), lambda = wavelength(frequencies[f]);
-      const double path = visits[from].in + visits[1 - from].out - edge.length;
-      const double size = share * weights(from, k) * lambda * std::pow(lambda / edge.length, 1.0 / edge.n);
-      const Complex factor = over_edge(edge.n) * std::polar(size, k * path);
+      const double k = wavenumber(frequencies[f]), path = visits[from].in + visits[1 - from].out;
+      const double further_out = glm::dot(visits[1 - from].look.scattered - visits[from].look.incident, edge.outwards);
+      const double phase = k * (path + further_out * edge_shift(edge.thickness, k, edge.length));
+      const Complex factor = along_edge(edge.n, edge.length, k) * std::polar(share * weight(from, k), phase);
+      const std::array<Complex, 2> starts = sent[from].at(k * edge.length), leaves = received[1 - from].at(k * edge.length);
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) sum[f].at(p, q) += factor * ends[1 - from].leaves[p] * ends[from].starts[q];
+        for (int q = 0; q < 2; ++q) sum[f].at(p, q) += factor * leaves[p] * starts[q];
     }
-}
-
-CornerWaves::SolidPassage CornerWaves::passage(const SolidEnd& end, const LookVectors& look) {
-  const auto parts = [&](const dvec3& towards, const std::array<dvec3, 2>& fields) {
-    const ComplexVector wave = end.corners->solved().start(end.local(towards));
-    return std::array{dot(wave, end.local(fields[0])), dot(wave, end.local(fields[1]))};
-  };
-  const std::array<Complex, 2> starts = parts(-look.incident, look.electric);
-  const bool same = look.scattered == -look.incident && look.receive == look.electric;
-  return {starts, same ? starts : parts(look.scattered, look.receive)};
 }
 
 std::array<dvec3, 2> CornerWaves::corners_of(std::uint32_t wedge) const {
@@ -302,8 +291,10 @@ dvec3 CornerWaves::place(std::uint32_t wedge, const dvec3& towards) const {
 
 void CornerWaves::add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
                       std::span<ScatteringMatrix> sum) const {
-  if (!edges_[wedge]) return add_solid(*solids_[wedge], share, visits, frequencies, sum);
-  for (const int from : {0, 1}) add_way(*edges_[wedge], from, share, visits, frequencies, sum);
+  if (edges_[wedge])
+    add_both_ways(*edges_[wedge], share, visits, frequencies, sum);
+  else
+    add_both_ways(*solids_[wedge], share, visits, frequencies, sum);
 }
 
 }  // namespace raytube

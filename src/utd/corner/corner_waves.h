@@ -25,6 +25,9 @@
 
 namespace raytube {
 
+/// What edges run between two corners.
+enum class CornerWaveKind { plate, thin_end, solid };
+
 /// The edges of half planes that end, at both ends, at a corner of two such edges of one sheet and nothing else; an edge may bend
 /// by 15 degrees on its way, of one wedge or several. Ends of thin bodies and the sharp edges between them are such edges, too,
 /// of the sheets in the middle of these; those of solids are the ones of SolidEdges. A corner is solved when a look first asks
@@ -34,8 +37,10 @@ class CornerWaves {
   /// Edges that radiate; they must not be needed after that.
   explicit CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions& kinds = {});
 
-  /// Whether edge `wedge` has any.
-  bool run_along(std::uint32_t wedge) const { return wedge < edges_.size() && (edges_[wedge] || solids_[wedge]); }
+  /// Of which kind edge `wedge` is; none if it has no such waves.
+  std::optional<CornerWaveKind> kind(std::uint32_t wedge) const;
+  /// Whether any edge is of this kind.
+  bool any(CornerWaveKind kind) const;
 
   /// The waves of transmitter and receiver at a corner.
   struct Visit {
@@ -77,6 +82,7 @@ class CornerWaves {
     mutable std::once_flag once_;
     mutable std::optional<SheetCorner> corner_;
   };
+  struct Passage;
   /// Of one edge, with the frame of SheetCorner. Its height above the sheet is of the same rounding at both ends.
   struct End {
     dvec3 position, bisector, along;
@@ -85,39 +91,42 @@ class CornerWaves {
     dvec3 edge, other_edge;  // away from the corner
     double other_length;     // until it bends by 15 degrees
     const Angle* angle = nullptr;
+
+    Passage passage(const dvec3& towards, const std::array<dvec3, 2>& fields) const;
+    double weight(const dvec3& towards, double wavenumber, double length) const;
+  };
+  /// One end's part of a wave for both polarisations.
+  struct Passage {
+    const End& end;
+    dvec3 towards;
+    std::array<Complex, 2> flat{}, upright{};
+
+    std::array<Complex, 2> at(double electrical_length) const;
   };
   struct Edge {
     std::array<End, 2> ends;
     double length;
     double part;  // the wedge's of that; less if it stands for several
+    CornerWaveKind kind = CornerWaveKind::plate;
     std::uint32_t first = no_index;
     // Of a thin end: mean thickness [m], the face's normal, and where the wedge lies, seen from the face's middle.
     double thickness = 0.0;
     dvec3 outwards{0.0}, towards{0.0};
+    static constexpr double n = 2.0;  // exterior angle / pi
+
+    double reach(double wavenumber) const;
   };
   class Finder;
 
-  /// One end's part of a wave for both polarisations, without what depends on the wavelength.
-  struct Passage {
-    std::array<Complex, 2> flat, upright;
-  };
-  /// The same of a solid's, for the transmitter and for the receiver.
-  struct SolidPassage {
-    std::array<Complex, 2> starts, leaves;
-  };
-  static Passage passage(const End& end, const dvec3& towards, const std::array<dvec3, 2>& fields);
   static Complex upright_factor(const End& end, const dvec3& towards, double electrical_length);
-  static double weight(const End& end, const dvec3& towards, double wavenumber, double length);
   static std::optional<End> corner_at(const ThinEnd& thin, int tip, bool along_sharp);
   static std::optional<std::array<End, 2>> both(std::optional<End> first, std::optional<End> last);
   void find_thin(std::span<const Wedge> wedges);
   void put_end(std::span<const Wedge> wedges, const ThinEnd& thin);
   void put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& thin, int tip, std::span<const ThinEnd> all);
-  static void add_way(const Edge& edge, int from, double share, const std::array<Visit, 2>& visits,
-                      std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
-  static SolidPassage passage(const SolidEnd& end, const LookVectors& look);
-  static void add_solid(const SolidEdge& edge, double share, const std::array<Visit, 2>& visits,
-                        std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
+  template <class AnyEdge>
+  static void add_both_ways(const AnyEdge& edge, double share, const std::array<Visit, 2>& visits,
+                            std::span<const double> frequencies, std::span<ScatteringMatrix> sum);
   const Angle* angle_of(double angle);
 
   std::vector<std::unique_ptr<Angle>> angles_;

@@ -8,10 +8,6 @@
 
 namespace raytube {
 
-/// S / wavelength of a wave of unit starts over an edge of one wavelength: sqrt(2 pi) / c0 of the wave of a half plane, with
-/// c0 = -j e^(j pi/4) 2^(-1/2) / Gamma(3/2).
-inline const Complex over_half_plane = -pi * std::polar(1.0, pi / 4);
-
 /// A sector of the plane z = 0 with its tip at the origin and the bisector of its angle along +x; the wave is the one along the
 /// edge at +y.
 ///

@@ -54,6 +54,11 @@ double SolidEnd::weight(const dvec3& towards, double wavenumber, double length) 
   return product * off(off_own_cone) * off(off_faces);
 }
 
+SolidEnd::Passage SolidEnd::passage(const dvec3& towards, const std::array<dvec3, 2>& fields) const {
+  const ComplexVector wave = corners->solved().start(local(towards));
+  return {{dot(wave, local(fields[0])), dot(wave, local(fields[1]))}};
+}
+
 bool SolidEnd::sees(const dvec3& towards) const {
   const double side = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
   const auto turned_to = [&](int a, int b) { return side * glm::dot(towards, glm::cross(edges[a], edges[b])) < 0.0; };
@@ -61,12 +66,6 @@ bool SolidEnd::sees(const dvec3& towards) const {
 }
 
 double SolidEdge::reach(double wavenumber) const { return smooth_step(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
-
-Complex over_edge(double n) {
-  const Complex c0 =
-      Complex(0, -4.0 / (n * n)) * std::polar(std::pow(2.0, -1.0 / n) / gamma_function(1.0 + 1.0 / n), pi / (2.0 * n));
-  return -std::pow(2.0 * pi, 1.0 - 1.0 / n) / c0;
-}
 
 /// Looks for the corners between which edges run.
 class SolidEdges::Finder {

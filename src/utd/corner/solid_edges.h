@@ -40,12 +40,21 @@ struct SolidEnd {
   bool sees(const dvec3& towards) const;
   /// 1, 0 where one of the corner's edges diffracts a wave along another one, and where its edges point.
   double weight(const dvec3& towards, double wavenumber, double length) const;
+
+  /// Of a wave of either polarisation from there, at any wavelength, or by reciprocity of one that goes there.
+  struct Passage {
+    std::array<Complex, 2> wave;
+    const std::array<Complex, 2>& at(double /*electrical_length*/) const { return wave; }
+  };
+  Passage passage(const dvec3& towards, const std::array<dvec3, 2>& fields) const;
 };
 
 struct SolidEdge {
   std::array<SolidEnd, 2> ends;
   double length;
   double n;  // exterior angle / pi
+  static constexpr double thickness = 0.0;
+  static constexpr dvec3 outwards{0.0};
 
   /// 1 up to 20 wavelengths, none from 40 on, where the wave is a few hundredths of what its corners scatter.
   double reach(double wavenumber) const;
@@ -74,8 +83,5 @@ class SolidEdges {
   std::vector<std::unique_ptr<SolidCorners>> shapes_;
   std::vector<std::optional<SolidEdge>> edges_;  // [wedge]
 };
-
-/// S / wavelength^(1 - 1/n) length^(1/n) of a wave of unit starts over an edge: -(2 pi)^(1 - 1/n) / c0 of docs/theory/corners.md.
-Complex over_edge(double n);
 
 }  // namespace raytube

@@ -19,14 +19,15 @@ struct EdgeGroup {
   std::vector<LitEdge> edges;
 };
 
-/// Waves from corner to corner (utd/corner) along one edge.
-struct CornerWaveGroup {
-  std::uint32_t wedge;
-  std::vector<LitInterval> lit;  // parts of it behind the same screens; the waves count in proportion
-  const Screens& screens;
-  dvec3 middle;
-  double part;  // of the whole edge, of which this wedge may be a part, that the wedge is
+/// What an image asks of edges. The lattice is kept by reference.
+struct PieceRequest {
+  std::size_t frequency_index;  // among the frequencies of the look, which choose the points along the edges together
+  const ImageLattice& lattice;
+  bool by_path = false;  // begin = end = where the wave's path has its place, of one frequency; else where the edge is lit
 };
+
+/// The lit parts of an edge, cut where it goes from one cell into another.
+std::vector<LitInterval> cut_at_cells(const Wedge& wedge, std::span<const LitInterval> lit, const ImageLattice& lattice);
 
 /// How much of an edge its lit parts are.
 double share_of(std::span<const LitInterval> lit);
@@ -40,12 +41,8 @@ class EdgesInLook {
   /// how many edges are lit but for those of which only a plate's edge face is.
   std::uint64_t visit_groups(const std::function<void(const EdgeGroup&)>& visit);
 
-  /// Visits all edges that have waves from corner to corner and are lit, or their corners are.
-  void visit_corner_waves(const std::function<void(const CornerWaveGroup&)>& visit);
-
-  /// S [m] of the waves along a whole edge added up at the frequencies, behind no screens.
-  void add_corner_waves(std::uint32_t wedge, double share, std::span<const double> frequencies,
-                        std::span<ScatteringMatrix> sum) const;
+  /// The parts of wedge `index` that are lit in a wave that meets it like that, each with its screens.
+  std::vector<ScreenedInterval> lit_parts(std::uint32_t index, const WedgeIncidence& incidence);
 
   /// What is S of a point without screens becomes that behind these, at one of the frequencies.
   ScatteringMatrix behind(const Screens& screens, const dvec3& point, ScatteringMatrix s, std::size_t frequency) const;
@@ -56,14 +53,10 @@ class EdgesInLook {
   double work() const { return work_; }
 
  private:
-  std::vector<ScreenedInterval> parts_of(const Wedge& wedge, std::span<const LitInterval> lit) const;
-  std::vector<LitInterval> lit_between_corners(std::uint32_t index);
-  double share_between_corners(const SolidEdge& edge, const dvec3& incident);
-
   const EdgeScene& scene_;
   const EdgeLook& look_;
   SweepSubset subset_;
-  int order_;
+  const FringeOptions& options_;
   LitEdges light_;
   std::optional<ScreenCutter> cutter_;  // if there are screens
   double work_ = 0.0;

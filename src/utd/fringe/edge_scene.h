@@ -33,6 +33,7 @@ struct FringeOptions {
   /// other faces (utd/interaction) is counted, too.
   bool continue_by_images = false;
   std::vector<SurfaceRay>* rays = nullptr;  // takes the strips over curved faces, as at the first frequency
+  bool of_materials = false;                // edges beside other materials count; else those of perfect conductors
 };
 
 }  // namespace raytube

@@ -6,25 +6,29 @@
 
 namespace raytube {
 
-std::optional<EdgeMeeting> meeting(const EdgeScene& scene, std::uint32_t index, const dvec3& incident, int order) {
+bool radiates(const EdgeScene& scene, const Wedge& wedge, const FringeOptions& options) {
+  return options.of_materials ? scene.materials != nullptr && scene.materials->radiates(wedge) : wedge.radiates();
+}
+
+std::optional<EdgeMeeting> meeting(const EdgeScene& scene, std::uint32_t index, const dvec3& incident,
+                                   const FringeOptions& options) {
   const Wedge& wedge = scene.wedges[index];
-  if (scene.materials != nullptr)
-    if (const auto other = scene.materials->meeting(wedge, incident)) return EdgeMeeting{*other, false, true};
-  if (!wedge.radiates()) return std::nullopt;
+  if (!radiates(scene, wedge, options)) return std::nullopt;
+  if (options.of_materials) {
+    const auto met = scene.materials->meeting(wedge, incident);
+    return met ? std::optional(EdgeMeeting{*met}) : std::nullopt;
+  }
   EdgeMeeting result{incidence_on(wedge, incident), comes_along_plate(wedge, incident)};
   if (result.edge_face_only) result.incidence.weight = 1.0, result.incidence.free_side = wedge.faces[0].normal;
   const double weight = result.incidence.weight;
-  return weight == 1.0 || (order == 1 && weight > 0.0) ? std::optional(result) : std::nullopt;
+  return weight == 1.0 || (options.order == 1 && weight > 0.0) ? std::optional(result) : std::nullopt;
 }
 
 EdgeSum::EdgeSum(const EdgeScene& scene, const LookVectors& look, std::span<const double> frequencies,
                  const FringeOptions& options)
-    : wedges_(scene.wedges),
-      look_(look),
-      frequencies_(frequencies),
-      materials_(scene, look, frequencies, options.order),
-      result_(frequencies.size(), options.order) {
-  if (options.order == 1) return;
+    : wedges_(scene.wedges), look_(look), frequencies_(frequencies), result_(frequencies.size(), options.order) {
+  if (options.of_materials) materials_.emplace(scene, look, frequencies, options.order);
+  if (options.of_materials || options.order == 1) return;
   strips_.emplace(scene.wedges, scene.outlines, scene.curved, look, frequencies, options.order, options.continue_by_images);
   strips_->keep_rays(options.rays);
 }
@@ -32,7 +36,7 @@ EdgeSum::EdgeSum(const EdgeScene& scene, const LookVectors& look, std::span<cons
 void EdgeSum::add(const LitEdge& edge) {
   const Wedge& wedge = wedges_[edge.wedge];
   result_.lit = true;
-  if (edge.meeting.of_materials) return materials_.add(edge.wedge, edge.meeting.incidence, edge.lit);
+  if (materials_) return materials_->add(edge.wedge, edge.meeting.incidence, edge.lit);
   add_edge_face(wedge, edge.meeting, edge.lit);
   if (edge.meeting.edge_face_only) return;
   if (strips_) return strips_->add(edge.wedge, edge.meeting.incidence, edge.lit);
@@ -109,7 +113,7 @@ EdgeLookResult EdgeSum::take() {
     result_.windowed = std::move(sums.windowed);
     result_.work += sums.work;
   }
-  materials_.add_to(result_);
+  if (materials_) materials_->add_to(result_);
   return std::move(result_);
 }
 

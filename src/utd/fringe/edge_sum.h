@@ -14,12 +14,16 @@ namespace raytube {
 /// How a wave meets a wedge. If it comes along a thin plate only the current on the plate's edge face counts.
 struct EdgeMeeting {
   WedgeIncidence incidence;
-  bool edge_face_only = false, of_materials = false;
+  bool edge_face_only = false;
 };
 
-/// How a wave that comes along `incident` meets wedge `index`; none if the edge adds nothing. From order 2 on an edge that is
-/// only grazed, over one face, takes its light from the edge at the other end of that face.
-std::optional<EdgeMeeting> meeting(const EdgeScene& scene, std::uint32_t index, const dvec3& incident, int order);
+/// Whether a wedge has currents of the kind asked for.
+bool radiates(const EdgeScene& scene, const Wedge& wedge, const FringeOptions& options);
+
+/// How a wave that comes along `incident` meets wedge `index`; none if the edge adds nothing. From order 2 on an edge of perfect
+/// conductors that is only grazed, over one face, takes its light from the edge at the other end of that face.
+std::optional<EdgeMeeting> meeting(const EdgeScene& scene, std::uint32_t index, const dvec3& incident,
+                                   const FringeOptions& options);
 
 /// An edge and where it is lit.
 struct LitEdge {
@@ -54,8 +58,8 @@ class EdgeSum {
   std::span<const Wedge> wedges_;
   const LookVectors& look_;
   std::span<const double> frequencies_;
+  std::optional<MaterialEdges> materials_;     // if these are asked for; else:
   std::optional<MultipleDiffraction> strips_;  // from order 2 on
-  MaterialEdges materials_;
   std::vector<EdgePhase> phases_;
   EdgeLookResult result_;
 };

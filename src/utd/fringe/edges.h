@@ -16,11 +16,13 @@
 //   edge_sum.h         what edges in the same plane waves radiate, at either order
 //   material_edges.h   edges of other materials
 //   reflected_edges.h  edges lit by reflected waves
+//   corner_edges.h     waves from corner to corner along edges
 #pragma once
 
 #include <span>
 
 #include "scene/image.h"
+#include "utd/fringe/edge_groups.h"
 #include "utd/fringe/edge_look.h"
 #include "utd/fringe/edge_look_result.h"
 #include "utd/fringe/edge_scene.h"
@@ -50,25 +52,16 @@ double add_arrivals(const EdgeScene& scene, const EdgeLook& look, std::span<cons
 /// surfaces start, from where each of them has arrived.
 ///
 /// Behind screens opaque surfaces cast shadows and screens do not. What parts of edges behind the same screens radiate is
-/// transformed by what these let through along both lines of sight: those of a piece, or of the middle of an edge for waves from
-/// corner to corner. Valid as T of the plane waves is: far from the screens' own edges. What a current starts at another edge has
-/// the screens of its own edge, wherever that one is.
+/// transformed by what these let through along both lines of sight. Valid as T of the plane waves is: far from the screens' own
+/// edges. What a current starts at another edge has the screens of its own edge, wherever that one is.
 ///
 /// `subset.frequencies` [Hz] must not be empty.
 EdgeLookResult fringe_scattering(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                  const FringeOptions& options, const SurfaceLight& light = {});
 
-/// What an image asks of edges. The lattice is kept by reference.
-struct PieceRequest {
-  std::size_t frequency_index;  // among the frequencies of the look, which choose the points along the edges together
-  const ImageLattice& lattice;
-  bool by_path = false;  // begin = end = where the wave's path has its place, of one frequency; else where the edge is lit
-};
-
 /// The currents of fringe_scattering() at one of the frequencies, piece by piece of the lit edges within a cell of the lattice
 /// each: S [m] of those on the faces beside a piece, and of what these start at other edges. Quadrature along the pieces differs
-/// from that along the whole edge by its error, which they share by length: they add up to the sum of all. Waves from corner to
-/// corner are spread over the lit parts of their edge by length.
+/// from that along the whole edge by its error, which they share by length: they add up to the sum of all.
 std::vector<ImageEdge> fringe_pieces(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                      const PieceRequest& request, const FringeOptions& options);
 

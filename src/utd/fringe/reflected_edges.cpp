@@ -25,8 +25,9 @@ ScatteringMatrix of_transmitter(const ReflectedLook& look, const ScatteringMatri
   return result *= std::polar(weight, -wavenumber(frequency) * look.path);
 }
 
-std::optional<LitEdge> lit_edge(const EdgeScene& scene, const ReflectedLook& look, const LitWedge& edge, int order) {
-  const auto met = meeting(scene, edge.wedge, look.look.incident, order);
+std::optional<LitEdge> lit_edge(const EdgeScene& scene, const ReflectedLook& look, const LitWedge& edge,
+                                const FringeOptions& options) {
+  const auto met = meeting(scene, edge.wedge, look.look.incident, options);
   return met && !edge.lit.empty() ? std::optional<LitEdge>({edge.wedge, *met, edge.lit}) : std::nullopt;
 }
 
@@ -40,7 +41,7 @@ EdgeLookResult reflected_fringe_scattering(const EdgeScene& scene, std::span<con
     for (const double weight : weights_of(look)) {
       EdgeSum sum(scene, look.look, frequencies, options);
       for (const LitWedge& edge : look.edges)
-        if (const auto lit = lit_edge(scene, look, edge, options.order); lit && edge.weight == weight)
+        if (const auto lit = lit_edge(scene, look, edge, options); lit && edge.weight == weight)
           sum.add(*lit), result.wedges_lit += !lit->meeting.edge_face_only;
       result.add(sum.take(),
                  [&](const ScatteringMatrix& s, std::size_t f) { return of_transmitter(look, s, weight, frequencies[f], f); });
@@ -54,7 +55,7 @@ std::vector<ImageEdge> reflected_fringe_pieces(const EdgeScene& scene, const Ref
   std::vector<ImageEdge> all;
   place.path = look.path;
   for (const LitWedge& edge : look.edges) {
-    const auto lit = lit_edge(scene, look, edge, options.order);
+    const auto lit = lit_edge(scene, look, edge, options);
     if (!lit) continue;
     for (ImageEdge& piece : EdgeSum(scene, look.look, frequencies, options).pieces(*lit, edge.lit, place)) {
       piece.s = of_transmitter(look, piece.s, edge.weight, frequencies.front(), 0);

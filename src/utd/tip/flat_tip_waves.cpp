@@ -7,6 +7,7 @@
 #include "math/erfc_ray.h"
 #include "math/smooth_step.h"
 #include "math/special/elementary.h"
+#include "utd/corner/along_edge.h"
 #include "utd/fock/fock.h"
 #include "utd/wedge/work.h"
 
@@ -202,9 +203,7 @@ class FlatTipWaves::Sum {
     const std::optional<RimEnd>& end = tip.rims[rim].end;
     if (!end) return;
     const FlatTip& there = waves_.tips_[end->tip];
-    const Complex over =
-        over_half_plane * std::polar(wavelength() / std::sqrt(end->length / wavelength()), -wavenumber_ * end->length);
-    put(place_of(tip.position, there.position, end->length), over, receiver_.starting(there, end->rim),
+    put(place_of(tip.position, there.position, end->length), along_edge(2.0, end->length, wavenumber_), receiver_.starting(there, end->rim),
         transmitter_.starting(tip, rim));
   }
 

@@ -74,7 +74,7 @@ double share_of_bound(PolygonSoup soup, const Material& material, const SolveOpt
   double share = 0.0;
   for (std::size_t look = 0; look < sweep.looks.size(); ++look)
     for (std::size_t f = 0; f < frequencies.size(); ++f)
-      share = std::max(share, largest_amplitude(result.of("edges_order_1")[sweep.row(look, f)]) /
+      share = std::max(share, largest_amplitude(result.of("material_edges_order_1")[sweep.row(look, f)]) /
                                   bounds.of(sweep.looks[look], f).limits.edges);
   return share;
 }
@@ -136,7 +136,9 @@ TEST(MaterialEdges, OfAPlateKnowNoCornerThatIsOffByNothing) {
     const Look look{deg(50.0, 0.0), deg(50.0, 0.0)};
     Material one = coat;
     one.layers.resize(1);
-    return solve(Target(loaded.mesh), {{frequency}, {look}, false, {}, {one}}, with_edges(3)).of("edges_order_2_on").front();
+    return solve(Target(loaded.mesh), {{frequency}, {look}, false, {}, {one}}, with_edges(3))
+        .of("material_edges_order_2_on")
+        .front();
   };
   EXPECT_GT(frobenius_norm(edges(0.0)), 1e-5 * lambda);
   EXPECT_LT(frobenius_norm(edges(5e-6) - edges(0.0)), 1e-3 * lambda);
@@ -148,7 +150,7 @@ std::vector<ScatteringMatrix> over_coat(PolygonSoup soup, const std::vector<Look
   coat.layers.resize(sweep.size(), coat.layers.front());
   soup.materials.assign(soup.polygons.size(), 0);
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", std::span(&coat, 1));
-  return solve(Target(loaded.mesh), {sweep, looks, true, {}, {coat}}, with_edges(2)).of("edges_order_2_on");
+  return solve(Target(loaded.mesh), {sweep, looks, true, {}, {coat}}, with_edges(2)).of("material_edges_order_2_on");
 }
 
 std::vector<Look> round_at(double theta, double step) {

@@ -1,8 +1,8 @@
 // Edges behind screens: with what these let through, along both lines of sight.
 #include <gtest/gtest.h>
 
-#include "validation/material_scene.h"
 #include "solve/image.h"
+#include "validation/material_scene.h"
 
 namespace raytube {
 
@@ -34,7 +34,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
     options.edges.method = method;
     options.edges.order = order;
     options.edges.interaction = false;
-  options.edges.materials = MaterialEdgeMethod::none;  // the screens' own rims are not looked for
+    options.edges.materials = MaterialEdgeMethod::none;  // the screens' own rims are not looked for
     const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
     const bool bistatic = !(from == to);
     return solve(Target(loaded.mesh), {{frequency}, {{from, to}}, bistatic, {}, materials}, options).total.front();
@@ -99,7 +99,7 @@ TEST(ScreenedEdges, EveryFrequencyHasItsOwnEdges) {
     SolveOptions options{{}, {}, 1, false, {}};
     options.edges.order = order;
     options.edges.interaction = false;
-  options.edges.materials = MaterialEdgeMethod::none;  // the screens' own rims are not looked for
+    options.edges.materials = MaterialEdgeMethod::none;  // the screens' own rims are not looked for
     const auto solved = [&](const PolygonSoup& soup, const std::vector<Material>& materials) {
       std::vector<Material> at_both = materials;
       for (Material& material : at_both) material.layers.push_back(material.layers.front());

@@ -1,6 +1,7 @@
 // Rims of thin plates of finite size: rectangles and skew ones, scanned finely.
 #include <gtest/gtest.h>
 
+#include "edge_columns.h"
 #include "validation/material_scene.h"
 
 namespace raytube {
@@ -38,12 +39,7 @@ SweepResult seen(PolygonSoup soup, const Material& material, const std::vector<D
   return solve(Target(loaded.mesh), {{frequency}, looks, false, {}, {material}}, options);
 }
 
-std::vector<ScatteringMatrix> of_edges(const SweepResult& result) {
-  std::vector<ScatteringMatrix> sum = result.of("edges_order_1");
-  const std::vector<ScatteringMatrix>& higher = result.of("edges_order_2_on");
-  for (std::size_t i = 0; i < higher.size(); ++i) sum[i] += higher[i];
-  return sum;
-}
+using test::of_edges;
 
 std::vector<Direction> cut(double theta, double phi, const Direction& step, int count) {
   std::vector<Direction> all;

@@ -1,6 +1,7 @@
 // Thin plates modelled as closed boxes, against a 2-D boundary element solution of strips of the same thickness.
 #include <gtest/gtest.h>
 
+#include "edge_columns.h"
 #include "run.h"
 #include "shapes.h"
 #include "utd/wedge/edge_currents.h"
@@ -44,10 +45,7 @@ SweepResult solve_edges(const PolygonSoup& soup, const Sweep& sweep, const EdgeS
   return solve_soup(soup, sweep, o, {.thin_plates = settings.thin_plates});
 }
 
-ScatteringMatrix edges_of(const SweepResult& result, std::size_t row) {
-  return result.of("edges_order_2_on").empty() ? result.of("edges_order_1")[row]
-                                               : result.of("edges_order_1")[row] + result.of("edges_order_2_on")[row];
-}
+ScatteringMatrix edges_of(const SweepResult& result, std::size_t row) { return test::of_edges(result)[row]; }
 
 /// The rows of the 2-D solution for one thickness.
 struct Truth {

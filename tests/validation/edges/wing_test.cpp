@@ -4,6 +4,7 @@
 
 #include "run.h"
 #include "shapes.h"
+#include "smooth_bodies.h"
 #include "solve/image.h"
 
 namespace raytube {
@@ -11,20 +12,7 @@ namespace {
 
 using namespace raytube::testing;
 
-// Chord 3 wavelengths along x between sharp edges, 0.45 thick, two equal arcs; span 3 wavelengths along y, flat caps.
-Target wing(double wavelength) {
-  constexpr int parts = 64;
-  const double chord = 3 * wavelength, rise = 0.225 * wavelength, radius = (chord * chord / 4 + rise * rise) / (2 * rise);
-  const double half = std::asin(0.5 * chord / radius);
-  std::vector<dvec2> outline;
-  for (const int side : {-1, 1})
-    for (int i = 0; i < parts; ++i) {
-      const double angle = half * (2.0 * i / parts - 1.0);
-      outline.push_back({-side * radius * std::sin(angle), side * (radius * std::cos(angle) - radius + rise)});
-    }
-  const glm::dmat3 turn(dvec3(1, 0, 0), dvec3(0, 0, 1), dvec3(0, -1, 0));
-  return Target(build_mesh(shapes::transformed(shapes::prism(outline, -1.5 * wavelength, 1.5 * wavelength), turn), 1.0).mesh);
-}
+Target wing(double wavelength) { return Target(build_mesh(shapes::lens_wing(wavelength), 1.0).mesh); }
 
 struct CutErrors {
   double vv, hh;  // rms dB within 20 dB of the peak

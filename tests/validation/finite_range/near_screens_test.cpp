@@ -1,6 +1,7 @@
 // Edges behind screens, from antennas at a finite distance.
 #include <gtest/gtest.h>
 
+#include "edge_columns.h"
 #include "run.h"
 #include "solve/image.h"
 #include "utd/wedge/edge_currents.h"
@@ -41,8 +42,7 @@ ScatteringMatrix edges_of(const PolygonSoup& soup, const std::vector<Material>& 
   const bool bistatic = !(look.transmit == look.receive && look.transmit_range == look.receive_range);
   const LoadedMesh loaded = build_mesh(soup, 1.0, "test", materials);
   const SweepResult result = solve(Target(loaded.mesh), {{frequency}, {look}, bistatic, {}, materials}, options);
-  ScatteringMatrix sum = result.of("edges_order_1")[0];
-  return sum += result.of("edges_order_2_on")[0];
+  return test::of_edges(result)[0];
 }
 
 // As ScreenedEdges.AScreenOfVacuumChangesNothing: the strips of parts of edges have other panels than those of whole ones.

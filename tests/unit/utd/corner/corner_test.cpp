@@ -111,7 +111,7 @@ ScatteringMatrix waves_of(const std::vector<Wedge>& wedges, const Look& look, do
   const double frequencies[] = {frequency};
   std::vector<ScatteringMatrix> sum(1);
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
-    if (waves.run_along(i)) add(waves, i, 1.0, look_vectors(look), frequencies, sum);
+    if (waves.kind(i).has_value()) add(waves, i, 1.0, look_vectors(look), frequencies, sum);
   return sum[0];
 }
 
@@ -148,16 +148,16 @@ TEST(CornerWaves, DoNotCareForThePlaceTheSizeOrTheOrderOfEdges) {
 
 TEST(CornerWaves, RunOnlyBetweenConvexCornersOfSheets) {
   const CornerWaves ell(rim({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}));
-  for (const std::uint32_t i : {0u, 1u, 4u, 5u}) EXPECT_TRUE(ell.run_along(i)) << i;
-  for (const std::uint32_t i : {2u, 3u}) EXPECT_FALSE(ell.run_along(i)) << i;
+  for (const std::uint32_t i : {0u, 1u, 4u, 5u}) EXPECT_TRUE(ell.kind(i).has_value()) << i;
+  for (const std::uint32_t i : {2u, 3u}) EXPECT_FALSE(ell.kind(i).has_value()) << i;
   std::vector<Wedge> box = rim(triangle);
   for (Wedge& wedge : box) wedge.n = 1.5;
-  for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_FALSE(CornerWaves(box).run_along(i));
+  for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_FALSE(CornerWaves(box).kind(i).has_value());
   std::vector<Wedge> hinge = rim({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}});
   for (const Wedge& wedge : rim({{0, 0, 0}, {0, 1, 0}, {0, 1, 2}, {0, 0, 2}})) hinge.push_back(wedge);
   const CornerWaves at_fold(hinge);
-  EXPECT_FALSE(at_fold.run_along(0));  // ends at the fold
-  EXPECT_TRUE(at_fold.run_along(1));   // the edge opposite to it
+  EXPECT_FALSE(at_fold.kind(0).has_value());  // ends at the fold
+  EXPECT_TRUE(at_fold.kind(1).has_value());   // the edge opposite to it
 }
 
 TEST(CornerWaves, RunOverSmallSheetsWhoseCoordinatesAreRounded) {
@@ -170,14 +170,14 @@ TEST(CornerWaves, RunOverSmallSheetsWhoseCoordinatesAreRounded) {
     for (const Wedge& wedge : rim({single(at), single(at + u), single(at + u + v), single(at + v)})) wedges.push_back(wedge);
   }
   const CornerWaves waves(wedges);
-  for (std::uint32_t i = 0; i < wedges.size(); ++i) EXPECT_TRUE(waves.run_along(i)) << i;
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) EXPECT_TRUE(waves.kind(i).has_value()) << i;
 }
 
 TEST(CornerWaves, AnEdgeThatBendsHasThemAsAWholeOrNotAtAll) {
   for (const double bend : {0.1, 0.15}) {  // twice; 15 degrees are 0.26
     const dvec3 b(1, 0, 0), c = b + dvec3(std::cos(bend), std::sin(bend), 0);
     const CornerWaves waves(rim({{0, 0, 0}, b, c, c + dvec3(std::cos(2 * bend), std::sin(2 * bend), 0), {0.5, 3, 0}}));
-    for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_EQ(waves.run_along(i), bend == 0.1) << i;
+    for (const std::uint32_t i : {0u, 1u, 2u}) EXPECT_EQ(waves.kind(i).has_value(), bend == 0.1) << i;
   }
 }
 
@@ -252,7 +252,7 @@ TEST(SolidEdges, RunBetweenCornersOfThreeEdges) {
   const auto count = [](const std::vector<Wedge>& wedges) {
     const CornerWaves waves(wedges);
     std::size_t edges = 0;
-    for (std::uint32_t i = 0; i < wedges.size(); ++i) edges += waves.run_along(i);
+    for (std::uint32_t i = 0; i < wedges.size(); ++i) edges += waves.kind(i).has_value();
     return edges;
   };
   EXPECT_EQ(count(edges_of(shapes::cube(2.0))), 12);
@@ -296,7 +296,7 @@ TEST(SolidEdges, HaveWavesThatNowhereStep) {
   const auto at = [&](double phi) {
     std::vector<ScatteringMatrix> sum(1);
     for (std::uint32_t i = 0; i < 8; ++i)
-      if (waves.run_along(i)) add(waves, i, 1.0, look_vectors({{0.96, phi}, {0.96, phi}}), frequencies, sum);
+      if (waves.kind(i).has_value()) add(waves, i, 1.0, look_vectors({{0.96, phi}, {0.96, phi}}), frequencies, sum);
     return sum[0];
   };
   ScatteringMatrix before = at(0.0);
@@ -335,7 +335,7 @@ std::size_t edges_with_waves(const std::vector<Wedge>& wedges) {
   const CornerWaves waves(wedges);
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
-    if (waves.run_along(i) && waves.first_of(i) == i) ++count;
+    if (waves.kind(i).has_value() && waves.first_of(i) == i) ++count;
   return count;
 }
 
@@ -386,7 +386,7 @@ TEST(ThinEnds, FadeAsTheyGetThickForTheWave) {
   const CornerWaves waves(wedges);
   const std::vector<double> frequencies = {20 * speed_of_light};
   for (std::uint32_t i = 0; i < wedges.size(); ++i) {
-    if (!waves.run_along(i) || wedges[i].interior_angle() < 60 * degree) continue;
+    if (!waves.kind(i).has_value() || wedges[i].interior_angle() < 60 * degree) continue;
     std::vector<ScatteringMatrix> sum(1);
     add(waves, i, 1.0, look_vectors(look), frequencies, sum);
     EXPECT_EQ(largest_amplitude(sum[0]), 0.0) << i;

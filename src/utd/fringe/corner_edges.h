@@ -1,0 +1,25 @@
+// Waves from corner to corner (utd/corner) along the edges of a target in one look.
+#pragma once
+
+#include "utd/fringe/edge_groups.h"
+
+namespace raytube {
+
+/// What they add to S.
+struct CornerWaveSum {
+  std::vector<ScatteringMatrix> scattering;  // per frequency [m]
+  std::uint64_t edges = 0;                   // along which they run in this look
+  double work = 0.0;                         // counted (utd/wedge/work.h)
+};
+
+/// S of the waves of one kind along all edges that are lit, in proportion to their lit parts, and along edges of solids between
+/// two dark faces whose corners are lit. Each edge of several wedges counts once; behind screens a wave is transformed by what
+/// these let through at the middle of its wedge. `scene.corners` must be there, and `subset.frequencies` [Hz] not be empty.
+CornerWaveSum corner_wave_scattering(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
+                                     const FringeOptions& options, CornerWaveKind kind);
+
+/// The same at one of the frequencies, spread over the lit parts of each edge by length; or each at the place of its path.
+std::vector<ImageEdge> corner_wave_pieces(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
+                                          const PieceRequest& request, const FringeOptions& options, CornerWaveKind kind);
+
+}  // namespace raytube
