@@ -7,9 +7,9 @@
 
 namespace raytube {
 
-/// What a plane may be off, as thin plates' sides may [rad].
+/// What the edges of a corner may be off a plane, as the sides of thin plates may [rad].
 inline constexpr double off_plane = 0.05;
-/// Corners between two edges.
+/// The angles between two edges at which corners are solved.
 inline constexpr double least_corner = 15.0 * degree, greatest_corner = 165.0 * degree;
 
 /// The multiple of 0.1 degrees [rad]: coordinates in single precision move angles of small sheets far from the origin.

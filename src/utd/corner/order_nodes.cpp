@@ -8,7 +8,7 @@ namespace raytube {
 
 namespace {
 
-/// Gaussian in nu.
+/// Orders are cut off by a Gaussian in nu that falls to 1/e here.
 constexpr double cutoff = 6.0;
 
 /// Nodes from `from` to `to` along a straight line.

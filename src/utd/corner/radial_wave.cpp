@@ -8,11 +8,10 @@ namespace raytube {
 
 namespace {
 
-// Zones by the angle from the point opposite to the source: then `steps` more; the last ends 0.2 before
-// the source [rad].
+// Zones by the angle from the point opposite to the source [rad]: the first one, and `steps` more, of which the last ends 0.2 rad
+// before the source.
 constexpr double first_zone = 0.3, zone_width = 0.08;
 constexpr int steps = 33;
-const double nearest_cosine = -std::cos(first_zone + steps * zone_width);
 
 double cosine_at(double zones) { return -std::cos(first_zone + zones * zone_width); }
 
@@ -114,7 +113,7 @@ RadialWave::Values RadialWave::near_source(double cosine) const {
 }
 
 RadialWave::Values RadialWave::at(double cosine) const {
-  if (cosine > nearest_cosine) return near_source(cosine);
+  if (cosine > zones.end.back()) return near_source(cosine);
   const int zone = zones.of(cosine);
   return evaluate(zones_[zone], zone == 0 ? 1.0 + cosine : cosine - middle_of(zone));
 }

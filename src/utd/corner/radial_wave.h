@@ -35,7 +35,7 @@ class RadialWave {
   /// Beside the object itself.
   std::size_t zone_bytes() const { return zones_.size() * sizeof(Polynomial); }
 
-  /// Of a single Green's function: g + ln(theta) / (2 pi) at the source.
+  /// What is smooth of a single Green's function: g + ln(theta) / (2 pi) at the source.
   Complex smooth_at_source() const;
 
  private:

@@ -15,9 +15,8 @@ using ComplexMatrix = Eigen::MatrixXcd;
 
 // --- the arc ---
 
-constexpr int functions = 18;  // of either expansion
-constexpr int points = 48;     // for what is solved
-constexpr int sources = 96;    // for what follows
+// Densities are expansions of so many functions, solved at so many points of the arc, and radiate from so many sources on it.
+constexpr int functions = 18, points = 48, sources = 96;
 
 }  // namespace
 
@@ -26,7 +25,7 @@ constexpr int sources = 96;    // for what follows
 struct SheetCorner::Arc {
   Arc(double half_angle, int count);
 
-  double step;  // of th
+  double step;  // between points, of th
   std::vector<double> s;
   // [m][point]: weights that integrate a function over s, times
   ComplexMatrix soft;         // cos(m th) / sin(th)
@@ -116,7 +115,7 @@ SheetCorner::SheetCorner(double angle) : half_angle_(angle / 2), sources_(source
 
 std::size_t SheetCorner::bytes() { return sources * (sizeof(Source) + 2 * RadialWave().zone_bytes()); }
 
-// Where the trapezoidal rule loses its digits: from twice the distance at which its points stand on.
+// The trapezoidal rule loses its digits closer to the sheet than 2.2 times the distance between its points.
 double SheetCorner::nearest_height(const dvec3& towards) const {
   const double s = std::atan2(towards.y, towards.x);
   return std::abs(s) >= half_angle_ ? 0.0 : 2.2 * pi / sources * std::sqrt(half_angle_ * half_angle_ - s * s);

@@ -34,7 +34,7 @@ class SheetCorner {
   /// between there and the sheet itself.
   Start start(const dvec3& towards) const;
 
-  /// Of one.
+  /// The memory of one corner.
   static std::size_t bytes();
 
  private:

@@ -15,12 +15,11 @@ namespace {
 using ComplexMatrix = Eigen::MatrixXcd;
 using ComplexRow = Eigen::RowVectorXcd;
 
-constexpr int side_points = 16;  // of a side, for what is solved
-constexpr int fine_points = 40;  // for what follows
-constexpr int crossings = 16;    // of the circle
-constexpr double circle = 0.2;   // its angle from the edge [rad]
-constexpr double nearest = 20.0 * degree;
-constexpr double spacings = 2.2;  // from a side at which the trapezoidal rule has its digits
+// Densities are solved at the first number of points of a side, and interpolated to the second one for what they radiate.
+constexpr int side_points = 16, fine_points = 40;
+// The circle about the edge on which its harmonic is taken: points, and its angle from the edge [rad].
+constexpr int crossings = 16;
+constexpr double circle = 0.2;
 
 /// The part of a side up to the parameter t of 0 to 2 pi, and its derivative: Kress's third power.
 std::pair<double, double> graded(double t) {
@@ -188,8 +187,9 @@ SolidCorner::Gradients SolidCorner::gradients(const dvec3& towards) const {
 
 namespace {
 
-/// A direction close to the edge is that at the same side of it, `nearest` away.
+/// A direction closer to the edge than 20 degrees is the one at the same side of it that far away.
 dvec3 off_edge(const dvec3& towards) {
+  constexpr double nearest = 20.0 * degree;
   if (towards.x <= 0 || std::hypot(towards.y, towards.z) >= std::sin(nearest)) return towards;
   const double turn = std::atan2(towards.z, towards.y);
   return {std::cos(nearest), std::sin(nearest) * std::cos(turn), std::sin(nearest) * std::sin(turn)};
@@ -205,16 +205,16 @@ ComplexVector turned(const ComplexVector& field, const dvec3& from, const dvec3&
 
 }  // namespace
 
-/// A direction close to a face is lifted off it to where the quadrature holds.
+/// A direction close to a face is lifted off it by 2.2 spacings of the points: from there on the trapezoidal rule has its digits.
 SolidCorner::Raised SolidCorner::raised(const dvec3& source) const {
   const auto& closest = *std::ranges::max_element(sources_, {}, [&](const Source& s) { return glm::dot(s.point, source); });
   const dvec3 other = std::abs(source.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
-  const double least = std::min(spacings * closest.spacing, 0.5);
+  const double least = std::min(2.2 * closest.spacing, 0.5);
   if (angle_between(closest.point, source) >= least) return {source, glm::normalize(glm::cross(other, source)), 1.0};
   const dvec3 along = glm::normalize(glm::cross(closest.normal, source));
-  const double share = std::clamp(glm::dot(source, closest.normal) / std::sin(least), 0.0, 1.0);
-  if (share == 1.0) return {source, along, 1.0};
-  return {std::cos(least) * glm::cross(along, closest.normal) + std::sin(least) * closest.normal, along, share};
+  const double height = std::clamp(glm::dot(source, closest.normal) / std::sin(least), 0.0, 1.0);
+  if (height == 1.0) return {source, along, 1.0};
+  return {std::cos(least) * glm::cross(along, closest.normal) + std::sin(least) * closest.normal, along, height};
 }
 
 // On the face the soft potential is zero, and the hard one has no slope off it.
@@ -224,8 +224,8 @@ ComplexVector SolidCorner::start(const dvec3& towards) const {
   const Raised source = raised(beside);
   const dvec3 source_up = glm::cross(source.towards, source.along);
   const Gradients g = gradients(source.towards);
-  const Complex soft_along = source.share * dot(g.soft, source.along), soft_up = dot(g.soft, source_up);
-  const Complex hard_along = dot(g.hard, source.along), hard_up = source.share * dot(g.hard, source_up);
+  const Complex soft_along = source.height * dot(g.soft, source.along), soft_up = dot(g.soft, source_up);
+  const Complex hard_along = dot(g.hard, source.along), hard_up = source.height * dot(g.hard, source_up);
   return turned((soft_along - hard_up) * source.along + (soft_up + hard_along) * glm::cross(beside, source.along), beside,
                 towards);
 }

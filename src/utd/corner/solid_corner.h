@@ -32,7 +32,7 @@ class SolidCorner {
   /// reciprocity of a receiver there. Within 20 degrees of the edge it is that at 20 degrees; none from inside the metal.
   ComplexVector start(const dvec3& towards) const;
 
-  /// Of one.
+  /// The memory of one corner.
   static std::size_t bytes();
 
  private:
@@ -41,7 +41,7 @@ class SolidCorner {
   /// Unit sources of the two potentials on a side of the triangle, with what they send along the edge.
   struct Source {
     dvec3 point, normal;
-    double spacing;  // [rad]
+    double spacing;  // between it and the next one [rad]
     RadialWave soft, hard;
   };
   /// What a source without a solid sends there over a point of the circle.
@@ -54,7 +54,7 @@ class SolidCorner {
   };
   struct Raised {
     dvec3 towards, along;
-    double share;
+    double height;  // of the direction above the face over that of `towards`
   };
   Gradients gradients(const dvec3& towards) const;
   Raised raised(const dvec3& source) const;

@@ -8,16 +8,15 @@
 #include "math/special/elementary.h"
 #include "utd/corner/corner_angles.h"
 #include "utd/corner/wedge_ends.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double at_same_place = 1e-9;  // of an edge's length
-constexpr double least_n = 1.25, most_n = 1.0 + 165.0 / 180.0;
-
+// The edge is 45 to 165 degrees off a plane.
 bool is_edge_of_solid(const Wedge& wedge) {
-  return wedge.radiates() && wedge.n > least_n && wedge.n < most_n && wedge.share == 1.0;
+  return wedge.radiates() && wedge.n > 1.25 && wedge.n < 1.0 + 165.0 / 180.0 && wedge.share == 1.0;
 }
 
 /// From the arc between two directions.
@@ -90,7 +89,7 @@ class SolidEdges::Finder {
       std::vector<std::uint32_t>& body = bodies.emplace_back(1, first);
       for (std::size_t i = 0; i < body.size(); ++i)
         for (const std::uint32_t end : {2 * body[i], 2 * body[i] + 1})
-          for (const std::uint32_t other : ends_.met_by(end, at_same_place * wedges_[body[i]].length()))
+          for (const std::uint32_t other : ends_.met_by(end, rounding_guard * wedges_[body[i]].length()))
             if (!known[other / 2]) known[other / 2] = true, body.push_back(other / 2);
       std::erase_if(body, [&](std::uint32_t i) { return !wedges_[i].stands_alone(); });
       std::ranges::sort(body);
@@ -102,7 +101,7 @@ class SolidEdges::Finder {
   /// The other two ends there, that in the first face of this one's wedge first.
   std::optional<std::array<std::uint32_t, 2>> beside(std::uint32_t end) {
     const Wedge& wedge = wedges_[end / 2];
-    const double distance = at_same_place * wedge.length();
+    const double distance = rounding_guard * wedge.length();
     const auto met = ends_.met_by(end, distance);
     if (met.size() != 2 || !std::ranges::all_of(met, [&](std::uint32_t e) { return is_edge_of_solid(ends_.wedge(e)); }))
       return std::nullopt;

@@ -27,10 +27,11 @@ class SolidCorners {
 /// One end of an edge, with the frame of SolidCorner.
 struct SolidEnd {
   dvec3 position;
-  std::array<dvec3, 3> edges;  // away from the corner: this one, and those beside it, the one closer to it first,
-  // of two as close that with which they are right-handed
-  std::array<double, 2> other_lengths;  // of those two [m]
-  std::array<std::uint32_t, 2> beside;  // their wedges
+  // Away from the corner: this edge, and those beside it, the one closer to it first; of two as close the one with which they are
+  // right-handed.
+  std::array<dvec3, 3> edges;
+  std::array<double, 2> other_lengths;  // lengths of the two edges beside this one [m]
+  std::array<std::uint32_t, 2> beside;  // wedges of those two
   std::array<dvec3, 3> frame;
   const SolidCorners* corners = nullptr;
 
@@ -64,12 +65,12 @@ struct SolidEdge {
 /// off a plane; `nullopt` for others. The shapes of corners are rounded to 0.1 degrees.
 class SolidEdges {
  public:
-  /// Of a body with more than `most_shapes` only the corners of the longest edges have waves, of one with more than `most_edges`
+  /// On a body with more than `most_shapes` only the corners of the longest edges have waves, on one with more than `most_edges`
   /// edges none. What other bodies there are does not count. None at all unless they are `wanted`.
   explicit SolidEdges(std::span<const Wedge> wedges, bool wanted = true);
 
   const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
-  /// Of the corners, once they are solved.
+  /// The memory of the corners, once they are solved.
   std::size_t bytes() const { return shapes_.size() * SolidCorner::bytes(); }
 
   static constexpr std::size_t most_shapes = 12, most_edges = 64;

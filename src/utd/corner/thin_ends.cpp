@@ -5,16 +5,14 @@
 #include <map>
 #include <optional>
 
+#include "utd/corner/corner_angles.h"
+
 namespace raytube {
 
 namespace {
 
-constexpr double flat_bend = 15.0 * degree;       // as of edges between corners of sheets
-constexpr double sharpest_turn = 120.0 * degree;  // of a face's border at a tip
-constexpr double sharp_edge = 60.0 * degree;      // of the metal
-constexpr double upright = 30.0 * degree;
-constexpr double narrow = 0.25;  // width over length
-constexpr double planar = 0.05;  // [rad]
+// Lines of edges bend by this angle at most where they go on, as edges between corners of sheets do.
+constexpr double flat_bend = 15.0 * degree;
 
 bool is_solid_edge(const Wedge& wedge) { return wedge.radiates() && wedge.n < 2.0 && wedge.share == 1.0; }
 
@@ -38,9 +36,10 @@ class Finder {
   using Key = std::array<double, 3>;
   static Key key(const dvec3& p) { return {p.x, p.y, p.z}; }
 
-  bool is_sharp(const Wedge& wedge) const { return is_solid_edge(wedge) && wedge.interior_angle() <= sharp_edge; }
+  bool is_sharp(const Wedge& wedge) const { return is_solid_edge(wedge) && wedge.interior_angle() <= 60.0 * degree; }
 
-  /// Of the faces that may be ends: at some of their edges a sharp one stops, and all of them are upright. Most bodies have none.
+  /// Finds the faces that may be ends: at some of their edges a sharp one stops, and their neighbours are upright on them. Most
+  /// bodies have none.
   void find_borders() {
     std::vector<Key> tips;
     for (const Wedge& wedge : wedges_)
@@ -72,8 +71,8 @@ class Finder {
 
   bool may_bound(std::uint32_t wedge, const dvec3& normal, std::uint32_t patch) const {
     const Wedge& edge = wedges_[wedge];
-    return is_solid_edge(edge) && !edge.is_border() && std::abs(edge.interior_angle() - 0.5 * pi) <= upright &&
-           angle_between(face_on(wedge, patch).normal, normal) < planar;
+    return is_solid_edge(edge) && !edge.is_border() && std::abs(edge.interior_angle() - 0.5 * pi) <= 30.0 * degree &&
+           angle_between(face_on(wedge, patch).normal, normal) < off_plane;
   }
 
   /// The one other edge of that face which goes on there.
@@ -100,13 +99,14 @@ class Finder {
     return line.size() == border.size() ? line : std::vector<WedgeEnd>{};
   }
 
-  /// With a tip at its beginning; where the other one is, by its index. None if there are not two, or other bends.
+  /// Turns the line so that a tip is at its beginning, and says where the other one is, by its index. The line turns by 120
+  /// degrees at least at a tip. None if there are not two, or other bends.
   std::optional<std::size_t> second_tip(std::vector<WedgeEnd>& line) const {
     std::vector<std::size_t> tips;
     for (std::size_t i = 0; i < line.size(); ++i) {
       const WedgeEnd before = line[(i + line.size() - 1) % line.size()];
       const double turn = angle_between(direction(before), direction(line[i]));
-      if (turn >= sharpest_turn)
+      if (turn >= 120.0 * degree)
         tips.push_back(i);
       else if (turn > flat_bend)
         return std::nullopt;
@@ -145,7 +145,7 @@ class Finder {
     if (!first_tip || !last_tip) return std::nullopt;
     ThinEnd end{{*first_tip, *last_tip}, {}, {}, 0.0, normal};
     measure(line, *second, end);
-    return end.thickness <= narrow * end.length() ? std::optional(end) : std::nullopt;
+    return end.thickness <= 0.25 * end.length() ? std::optional(end) : std::nullopt;
   }
 
   void measure(std::span<const WedgeEnd> line, std::size_t second, ThinEnd& end) const {

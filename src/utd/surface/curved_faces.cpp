@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
 
 namespace {
-
-constexpr double same_line = 1e-9;  // of the target's radius
 
 std::size_t key_of(std::uint32_t triangle, int corner, bool back) {
   return 2 * (3 * std::size_t{triangle} + static_cast<std::size_t>(corner)) + (back ? 1 : 0);
@@ -33,7 +33,7 @@ void CurvedFaces::find_sides(std::uint32_t triangle, int corner, std::span<const
   const TriangleMesh& mesh = target_.tracer.mesh();
   const Triangle& t = mesh.triangles[triangle];
   const dvec3 &a = mesh.vertices[t[corner]], &b = mesh.vertices[t[(corner + 1) % 3]];
-  const double rounding = same_line * mesh.radius;
+  const double rounding = rounding_guard * mesh.radius;
   for (const WedgeSide& side : of_patch) {
     const Wedge& wedge = wedges[side.wedge];
     const Line& line = lines_[side.wedge];

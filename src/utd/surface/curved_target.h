@@ -11,8 +11,12 @@
 #include "utd/fock/face_impedances.h"
 #include "utd/surface/body_widths.h"
 #include "utd/surface/noses.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
+
+/// The least curvature of a surface, times the target's radius, that bends waves: over a flatter one they go straight on.
+inline constexpr double flattest_curvature = 1e-6;
 
 struct CurvedTarget {
   /// Keeps references to the first two and the materials. `is_convex`: nothing stands in the light of a surface that is turned
@@ -44,7 +48,7 @@ struct CurvedTarget {
   /// Whether a body is wide enough for waves to run over it at a wavenumber.
   bool is_wide(std::uint32_t component, double wavenumber) const { return width_share(component, wavenumber) > 0.0; }
 
-  /// Of a facet, no_index: a perfect conductor.
+  /// The material of a facet; no_index: a perfect conductor.
   std::uint32_t material(std::uint32_t triangle) const { return tracer.mesh().patch_of(triangle).material; }
 
   /// Whether a facet is part of a surface over which waves run at all.
@@ -74,9 +78,8 @@ struct CurvedTarget {
 
   /// n . d at a corner of a triangle, where rounding is none.
   double facing(std::uint32_t triangle, int corner, const dvec3& incident_direction) const {
-    constexpr double across_wave = 1e-9;
     const double f = glm::dot(curvatures.normal(triangle, corner), incident_direction);
-    return std::abs(f) < across_wave ? 0.0 : f;
+    return std::abs(f) < rounding_guard ? 0.0 : f;
   }
 
   /// Whether light comes to a point of a surface with that normal.
@@ -93,11 +96,11 @@ struct CurvedTarget {
   const Tracer& tracer;
   const SmoothSurfaces& surfaces;
   const CurvatureField curvatures;
-  const std::vector<double> widths;  // of the components [m]
+  const std::vector<double> widths;  // [component], in metres
   const std::span<const Material> materials;
   const FaceImpedances impedances;
   const double lowest;            // wavenumber
-  const std::vector<Nose> noses;  // of the triangles; empty if no surface has rounded edges
+  const std::vector<Nose> noses;  // [triangle]; empty if no surface has rounded edges
   const bool convex;
 };
 

@@ -6,17 +6,12 @@
 #include "math/triangle_moments.h"
 #include "scene/frequency_bands.h"
 #include "utd/surface/lit_frame.h"
+#include "utd/wedge/rounding_guard.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double point_phase = 0.6, longest_phase = 3.0;  // [rad] over a triangle of a single point, and of three
-constexpr double longest_turn = 0.5;                      // of xi over a triangle
-constexpr double most_parts = 16.0;                       // of a facet's side
-constexpr double far_xi = 7.0;                            // of a facet's middle, where nothing of it is nearer than least_lit
-constexpr double rounding = 1e-9;                         // of n . d, and of a part that would make another one
 
 using Corners = std::array<dvec2, 3>;
 
@@ -72,7 +67,8 @@ class LitSide {
       const dvec2 l = middle(parts[i]);
       const dvec3 position = facet.surface.point(l), incident = look_.incident(position);
       const LitFrame frame(target_.frame(facet.triangle, l, facet.side), incident);
-      if (frame.distance(lowest_) > -far_xi && target_.is_lit(position, frame.normal, incident))
+      // Of a facet whose middle is beyond xi = -7 nothing is nearer to the shadow boundary than least_lit.
+      if (frame.distance(lowest_) > -7.0 && target_.is_lit(position, frame.normal, incident))
         add_part(facet, frame, -glm::dot(frame.normal, incident), parts[i]);
     }
   }
@@ -90,23 +86,23 @@ class LitSide {
     std::uint32_t triangle;
     dvec3 incident, scattered;
     double path;
-    ScatteringMatrix hard, soft;  // of a current of physical optics with either part alone
+    ScatteringMatrix hard, soft;  // S of either part of physical optics' current
     std::uint32_t material;
-    ScatteringMatrix hard_magnetic{}, soft_magnetic{};  // beside other materials: of the M of that, over Z
+    ScatteringMatrix hard_magnetic{}, soft_magnetic{};  // S of its M over Z, on materials
   };
 
-  // By how much xi changes over it, about; `grazing` is -n . d.
+  // By how much xi changes over a part of a facet, about; `grazing` is -n . d.
   double turn_over(const Facet& facet, const LitFrame& frame, double grazing, const Corners& corners) const {
     const auto facing = [&](const dvec2& l) {
       return (1.0 - l.x - l.y) * facet.facing[0] + l.x * facet.facing[1] + l.y * facet.facing[2];
     };
     const auto [low, high] = std::minmax({facing(corners[0]), facing(corners[1]), facing(corners[2])});
-    return (high - low) * std::min(-frame.distance(highest_), least_lit) / std::max(grazing, rounding);
+    return (high - low) * std::min(-frame.distance(highest_), least_lit) / std::max(grazing, rounding_guard);
   }
 
+  // Cuts the part so that xi changes by half at most over a triangle, into 16 along a side at most.
   void add_part(const Facet& facet, const LitFrame& frame, double grazing, const Corners& corners) {
-    const double cuts = std::min(turn_over(facet, frame, grazing, corners) / longest_turn, most_parts);
-    const int parts = std::max(1, static_cast<int>(std::ceil(cuts - rounding)));
+    const int parts = static_cast<int>(part_count(std::min(turn_over(facet, frame, grazing, corners) / 0.5, 16.0)));
     const dvec2 u = (corners[1] - corners[0]) / double(parts), v = (corners[2] - corners[0]) / double(parts);
     for (int i = 0; i < parts; ++i)
       for (int j = 0; i + j < parts; ++j) {
@@ -116,8 +112,8 @@ class LitSide {
       }
   }
 
-  // One point, or three that have two thirds of one corner and a sixth of each other one: at a corner that the wave grazes the
-  // amplitude has no value.
+  // One point while the phase over the triangle is below 0.6 rad; then three that have two thirds of one corner and a sixth of
+  // each other one, as at a corner that the wave grazes the amplitude has no value. From 3 rad on the mean is in closed form.
   void add_triangle(const Facet& facet, const Corners& corners) {
     const dvec2 centre = middle(corners);
     std::array<double, 3> at_corners;
@@ -125,7 +121,7 @@ class LitSide {
     const auto [shortest, longest] = std::ranges::minmax(at_corners);
     const double phase = highest_ * (longest - shortest);
     points_.clear();
-    if (phase < point_phase)
+    if (phase < 0.6)
       add_point(facet, centre);
     else
       for (const dvec2& corner : corners) add_point(facet, 0.5 * (centre + corner));
@@ -135,7 +131,7 @@ class LitSide {
     for (Point& point : points_) point.path -= bin.path;
     for (std::size_t f = 0; f < bin.at.size(); ++f) {
       const double k = bin.at[f];
-      ScatteringMatrix s = phase < longest_phase ? mean_of_points(k) : mean_over(at_corners, k);
+      ScatteringMatrix s = phase < 3.0 ? mean_of_points(k) : mean_over(at_corners, k);
       bin.sum[f] += s *= Complex(0, -k / (4 * pi)) * size;
       if (places_ != nullptr && places_->wavenumber == f) put(facet.surface.point(centre), s);
     }
@@ -159,19 +155,19 @@ class LitSide {
   ScatteringMatrix amplitude(const Point& point, double k) const {
     const double wide = target_.width_share(target_.tracer.mesh().triangle_component[point.triangle], k);
     if (point.material != no_index) return coated_amplitude(point, k) *= wide;
-    const FockCurrents share = lit_share(point.frame, k);
+    const FockCurrents excess = lit_excess(point.frame, k);
     const double kept = wide * target_.wave_share(point.triangle, point.incident, point.scattered, k);
     ScatteringMatrix hard = point.hard, soft = point.soft;
-    return (hard *= kept * share.hard) += soft *= kept * share.soft;
+    return (hard *= kept * excess.hard) += soft *= kept * excess.soft;
   }
 
   ScatteringMatrix coated_amplitude(const Point& point, double k) const {
     const FaceImpedance impedance = target_.impedances.at(point.material, k);
-    const FockCurrents share = lit_share(point.frame, k, impedance);
+    const FockCurrents excess = lit_excess(point.frame, k, impedance);
     ScatteringMatrix hard = point.hard, soft = point.soft;
     ScatteringMatrix hard_magnetic = point.hard_magnetic, soft_magnetic = point.soft_magnetic;
     hard += hard_magnetic *= impedance.hard, soft += soft_magnetic *= impedance.soft;
-    return (hard *= share.hard) += soft *= share.soft;
+    return (hard *= excess.hard) += soft *= excess.soft;
   }
 
   ScatteringMatrix mean_of_points(double k) const {
@@ -210,7 +206,7 @@ class LitSide {
   BandSum& sum_;
   StripPlaces* places_;
   double lowest_, highest_, work_ = 0.0;
-  std::vector<Point> points_;  // of the triangle at hand
+  std::vector<Point> points_;  // the triangle at hand has these
 };
 
 }  // namespace

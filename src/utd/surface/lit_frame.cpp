@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "utd/fock/impedance_fock.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double least_cosine = 1e-9;  // of incidence
-constexpr double least_xi = 1e-9;
-constexpr double least_bend = 1e-100;  // [1/m]
 
 dvec3 across(const dvec3& incident, const dvec3& normal) {
   const dvec3 side = glm::cross(incident, normal);
@@ -19,7 +16,8 @@ dvec3 across(const dvec3& incident, const dvec3& normal) {
   return glm::normalize(glm::cross(incident, std::abs(incident.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
 }
 
-// Over xi from -4 to -5, to 1e-6 of the current of physical optics, and smoothly, so that amplitudes are smooth in k.
+// What physical optics lacks fades out over xi from -4 to -5, to 1e-6 of its current, smoothly, so that amplitudes are smooth in
+// k.
 double fading(double xi) {
   if (xi <= -least_lit) return 0.0;
   const double cube = xi * xi * xi / (least_lit * least_lit * least_lit);
@@ -29,7 +27,7 @@ double fading(double xi) {
 }  // namespace
 
 LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) : normal(frame.normal) {
-  cosine = std::max(-glm::dot(normal, incident_direction), least_cosine);
+  cosine = std::max(-glm::dot(normal, incident_direction), rounding_guard);
   const dvec3 v = across(incident_direction, normal), u = glm::cross(v, incident_direction);
   const auto tangent = [&](const dvec3& w) { return w - (glm::dot(normal, w) / -cosine) * incident_direction; };
   const dvec3 a = tangent(u), b = tangent(v);
@@ -41,24 +39,25 @@ LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) :
   bent = half >= 0.0 ? larger * u + smaller * v : std::abs(smaller) * u + std::copysign(larger, uv) * v;
   straight = glm::cross(incident_direction, bent);
   const double hollow = std::min(mean - radius, 0.0);
-  bend = std::max((mean + radius - std::max(mean - radius, 0.0) + hollow) / cosine, least_bend);
+  // A flat surface has the least bend [1/m] that leaves the cube of xi a number.
+  bend = std::max((mean + radius - std::max(mean - radius, 0.0) + hollow) / cosine, 1e-100);
 }
 
-FockCurrents lit_share(const LitFrame& frame, double wavenumber) {
-  const double xi = std::min(frame.distance(wavenumber), -least_xi), share = fading(xi);
-  if (share == 0.0) return {0.0, 0.0};
+FockCurrents lit_excess(const LitFrame& frame, double wavenumber) {
+  const double xi = std::min(frame.distance(wavenumber), -rounding_guard), left = fading(xi);
+  if (left == 0.0) return {0.0, 0.0};
   const FockCurrents fock = fock_factors(xi);
-  return {share * (fock.hard - 1.0), share * (fock.soft - 1.0)};
+  return {left * (fock.hard - 1.0), left * (fock.soft - 1.0)};
 }
 
-FockCurrents lit_share(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance) {
-  const double xi = std::min(frame.distance(wavenumber), -least_xi), share = fading(xi);
-  if (share == 0.0) return {0.0, 0.0};
+FockCurrents lit_excess(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance) {
+  const double xi = std::min(frame.distance(wavenumber), -rounding_guard), left = fading(xi);
+  if (left == 0.0) return {0.0, 0.0};
   const double c = frame.cosine, m = -xi / c;
   const FockCurrents fock = impedance_fock(xi, m, impedance);
-  const Complex back = share * std::polar(1.0, -xi * xi * xi / 3);
-  return {0.5 * back * fock.hard - share * c / (c + impedance.hard),
-          0.5 * back * fock.soft / (m * c) - share / (1.0 + impedance.soft * c)};
+  const Complex back = left * std::polar(1.0, -xi * xi * xi / 3);
+  return {0.5 * back * fock.hard - left * c / (c + impedance.hard),
+          0.5 * back * fock.soft / (m * c) - left / (1.0 + impedance.soft * c)};
 }
 
 }  // namespace raytube

@@ -25,13 +25,14 @@ struct LitFrame {
   double distance(double wavenumber) const { return -std::cbrt(0.5 * wavenumber / bend); }
 };
 
-/// At so much of |xi| the current is that of physical optics.
+/// From this |xi| on the current is that of physical optics.
 inline constexpr double least_lit = 5.0;
 
 /// What the current has beside physical optics, in units of that: for H along `straight` (hard) and E along it (soft).
-FockCurrents lit_share(const LitFrame& frame, double wavenumber);
+FockCurrents lit_excess(const LitFrame& frame, double wavenumber);
 
-/// Of a surface of an impedance, in units of what a perfect conductor has in physical optics: J alone; M = -Z n x J.
-FockCurrents lit_share(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance);
+/// The same excess on a surface of an impedance, in units of what a perfect conductor has in physical optics: J alone; M = -Z n x
+/// J.
+FockCurrents lit_excess(const LitFrame& frame, double wavenumber, const FaceImpedance& impedance);
 
 }  // namespace raytube

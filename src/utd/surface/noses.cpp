@@ -6,46 +6,40 @@
 #include <span>
 
 #include "utd/surface/surface_ray.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double most_radii = 3.0;    // of k rho over edge_radius, where shares are 1 %
-constexpr double flattest = 0.06;     // curvature of the section that counts, of the largest one
-constexpr double last_radii = 0.25;   // of k rho at the nose over edge_radius, within which edges fade out
-constexpr double least_flank = 0.35;  // [rad] of the section on either side of its nose
-constexpr double longest_bend = 100 * degree;
-constexpr double steady_turn = 60 * degree;  // over which least_flattening leaves its mark: 1 - e/4 of kappa^(2/3) at least
-constexpr double flank_fade = 20 * degree;   // of a source near the plane of a flank, over which waves go on into the dark
-constexpr double most_growth = 0.25, fading_growth = 0.15;  // of the nose's radius over the length along the edge
-constexpr int most_pieces = 400;
-constexpr double no_more_slices = 1e-9;          // of a slice that would make another one
-constexpr dvec2 facet_middle(1.0 / 3, 1.0 / 3);  // of a facet
-const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
-constexpr double flattest_flank = 1.3;  // sin^2(theta) where flanks would begin, at which a body counts half as one with flanks
+// The largest k rho over edge_radius of a bend that counts: narrowness() is 1 % there.
+constexpr double most_radii = 3.0;
+// The least curvature, over the largest one of its section, that is still part of the bend.
+constexpr double flattest = 0.06;
 
-// Along a section: the angle of its normal in its plane, curvature, length since the last one.
+dvec2 facet_middle() { return dvec2(1.0 / 3); }
+
+// A point of a section: the angle of its normal in the section's plane, its curvature, and the angle since the last one.
 struct Sample {
   dvec3 position;
   std::uint32_t triangle;
   double angle, curvature, turn;
 };
 
-// None of what is pruned when noses are found.
+// Fades bends out before they are so round that find_noses() leaves them out.
 double bent_share(double wavenumber, double radius) {
   return std::clamp(most_radii - wavenumber * radius / edge_radius, 0.0, 1.0);
 }
 
-// From a facet along its section, as far as that bends.
+// The way from a facet along its section, as far as that bends.
 struct SectionWalk {
   std::vector<Sample> samples;
   double angle = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
-  bool round = false;  // as a cylinder
+  bool round = false;  // like a cylinder
 };
 
 struct Principal {
-  dvec3 direction;  // of the larger curvature
+  dvec3 direction;  // in which the curvature is `larger`
   double larger, smaller;
 };
 
@@ -88,16 +82,18 @@ class NoseFinder {
     double angle(const dvec3& n) const { return std::atan2(glm::dot(n, across), glm::dot(n, normal)); }
   };
 
+  // Over 400 facets at most.
   SectionWalk walk(const FacetPoint& start, const Plane& plane, double way) const {
     Geodesic geodesic(mesh_, surfaces_, curvatures_, start, way * plane.across);
     GeodesicPiece piece{start, start.l, way * plane.across};
     SectionWalk walked;
-    for (int i = 0; i < most_pieces && geodesic.next(piece); ++i)
+    for (int i = 0; i < 400 && geodesic.next(piece); ++i)
       if (!add(walked, piece, plane)) return walked;
     return walked;
   }
 
-  // False at its end.
+  // False at the end of the bend, which is no longer than 100 degrees. Over 60 degrees a section of least_flattening loses at
+  // least e/4 of kappa^(2/3): one that loses less is round.
   bool add(SectionWalk& walked, const GeodesicPiece& piece, const Plane& plane) const {
     const dvec2 l = 0.5 * (piece.from.l + piece.to);
     const BentFacet facet = surfaces_.facet(piece.from.triangle);
@@ -105,10 +101,11 @@ class NoseFinder {
     const dvec3 along = glm::normalize(piece.direction - glm::dot(piece.direction, frame.normal) * frame.normal);
     const double turn = std::remainder(plane.angle(end.normal) - walked.angle, 2 * pi), curvature = frame.curvature(along);
     walked.least = std::min(walked.least, curvature), walked.most = std::max(walked.most, curvature);
-    if (curvature <= flattest * walked.most || std::abs(walked.angle) > longest_bend) return false;
+    if (curvature <= flattest * walked.most || std::abs(walked.angle) > 100 * degree) return false;
     walked.samples.push_back({facet.point(l), piece.from.triangle, walked.angle + turn / 2, curvature, std::abs(turn)});
     walked.angle += turn;
-    if (std::abs(walked.angle) > steady_turn && walked.least > steadiest * walked.most) walked.round = true;
+    const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
+    if (std::abs(walked.angle) > 60 * degree && walked.least > steadiest * walked.most) walked.round = true;
     return true;
   }
 
@@ -118,7 +115,7 @@ class NoseFinder {
     return samples;
   }
 
-  // By the curvature alone, so that a nose is the same for all waves.
+  // The part of a section that bends, by the curvature alone, so that a nose is the same for all waves.
   static std::vector<Sample> bent_part(const std::vector<Sample>& samples) {
     const double least = flattest * std::ranges::max(samples, {}, &Sample::curvature).curvature;
     const auto bent = [&](const Sample& s) { return s.curvature > least; };
@@ -127,6 +124,7 @@ class NoseFinder {
   }
 
   // kappa^(2/3) = rho^(-2/3) (1 - e sin^2(theta - theta_0)), least squares over theta of its three terms 1, cos and sin 2 theta.
+  // The section goes on by 0.35 rad at least on either side of its nose.
   Nose fit(std::span<const Sample> samples, const Plane& plane) const {
     glm::dmat3 left(0.0);
     dvec3 right(0.0);
@@ -138,7 +136,7 @@ class NoseFinder {
     if (!(std::abs(glm::determinant(left)) > 1e-9)) return {};
     const dvec3 c = glm::inverse(left) * right;
     const double swing = std::hypot(c.y, c.z), top = c.x + swing, centre = 0.5 * std::atan2(c.z, c.y);
-    if (top <= 0.0 || centre - least_flank < samples.front().angle || centre + least_flank > samples.back().angle) return {};
+    if (top <= 0.0 || centre - 0.35 < samples.front().angle || centre + 0.35 > samples.back().angle) return {};
     Nose nose;
     nose.radius = std::pow(top, -1.5);
     nose.flattening = 2 * swing / top;
@@ -150,7 +148,7 @@ class NoseFinder {
     nose.position = glm::mix(a.position, b.position, share);
     nose.outwards = std::cos(centre) * plane.normal + std::sin(centre) * plane.across;
     nose.along = glm::cross(plane.normal, plane.across);
-    const SurfaceFrame there = curvatures_.at(b.triangle, facet_middle);
+    const SurfaceFrame there = curvatures_.at(b.triangle, facet_middle());
     nose.bend = there.curvature(nose.along) * nose.radius;
     return nose;
   }
@@ -166,7 +164,7 @@ class NoseFinder {
     const dvec3 gradient = (along_u * glm::cross(v, normal) + along_v * glm::cross(normal, u)) / glm::dot(normal, normal);
     const double mean = here + (along_u + along_v) / 3.0;
     const double growth = mean > 0.0 ? nose.radius * std::abs(glm::dot(gradient, nose.along)) / mean : 1.0;
-    return std::clamp((most_growth - growth) / fading_growth, 0.0, 1.0);
+    return std::clamp((0.25 - growth) / 0.15, 0.0, 1.0);
   }
 
   // INT across . (dn/dr) across dA from the normals at its corners.
@@ -193,19 +191,19 @@ class NoseFinder {
 /// A slice of a facet across a direction.
 struct Slice {
   dvec2 middle;
-  double ahead;  // of the facet's middle [m]
-  double share;  // of its area
+  double ahead;  // how far its middle is ahead of the facet's [m]
+  double area;   // over that of the facet
 };
 
 double weighted(const dvec3& at_corners, const dvec2& l) { return glm::dot(at_corners, dvec3(1.0 - l.x - l.y, l)); }
 
-// Of equal thickness.
+// Cuts a facet into slices of equal thickness.
 std::vector<Slice> slices(const dvec3& along_at_corners, double thickest) {
   constexpr std::array<dvec2, 3> corners{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1)};
   std::array<int, 3> order{0, 1, 2};
   std::ranges::sort(order, {}, [&](int corner) { return along_at_corners[corner]; });
   const double low = along_at_corners[order[0]], between = along_at_corners[order[1]], high = along_at_corners[order[2]];
-  const int count = std::max(1, static_cast<int>(std::ceil((high - low) / thickest - no_more_slices)));
+  const int count = static_cast<int>(part_count((high - low) / thickest));
   const auto on = [&](int from, int to, double u) {
     const double a = along_at_corners[from], b = along_at_corners[to];
     return glm::mix(corners[from], corners[to], b > a ? (u - a) / (b - a) : 0.5);
@@ -215,10 +213,10 @@ std::vector<Slice> slices(const dvec3& along_at_corners, double thickest) {
   for (int i = 0; i < count; ++i) {
     const double u = glm::mix(low, high, (i + 0.5) / count);
     const dvec2 one = on(order[0], order[2], u), other = u < between ? on(order[0], order[1], u) : on(order[1], order[2], u);
-    result.push_back({0.5 * (one + other), u - weighted(along_at_corners, facet_middle), glm::distance(one, other)});
-    sum += result.back().share;
+    result.push_back({0.5 * (one + other), u - weighted(along_at_corners, facet_middle()), glm::distance(one, other)});
+    sum += result.back().area;
   }
-  for (Slice& slice : result) slice.share /= sum;
+  for (Slice& slice : result) slice.area /= sum;
   return result;
 }
 
@@ -234,15 +232,17 @@ double Nose::radius_at(double theta) const {
   return square <= 0.0 ? std::numeric_limits<double>::infinity() : radius / std::pow(square, 1.5);
 }
 
-// The source's angle from the nose, across the edge, reaches pi/2 - flank in the plane of a flank.
+// The source's angle from the nose, across the edge, reaches pi/2 - flank in the plane of a flank; over 20 degrees before that
+// waves go on into the dark, and the edge fades. It fades, too, as k rho rises from 3/4 of edge_radius to all of it. A body whose
+// flanks would begin at sin^2(theta) = 1.3 counts half as one with flanks.
 double Nose::edge_share(const dvec3& incident, double wavenumber) const {
   const double across = sine_to(incident), whole = wavenumber * radius / edge_radius, x = across * whole;
   if (x <= 0.0 || whole >= 1.0) return 0.0;
-  const double sharp = evenness * straightness(incident) * std::min((1.0 - whole) / last_radii, 1.0);
-  const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / flattest_flank, 8);
+  const double sharp = evenness * straightness(incident) * std::min((1.0 - whole) / 0.25, 1.0);
+  const double square = (1.0 - std::cbrt(x * x)) / flattening, eighth = std::pow(square / 1.3, 8);
   const double grazing = pi / 2 - std::asin(std::min(std::sqrt(square), std::sin(steepest_flank)));
   const double off = std::acos(std::clamp(-glm::dot(incident, outwards) / across, -1.0, 1.0));
-  const double lit = std::clamp((grazing - off) / std::min(flank_fade, grazing), 0.0, 1.0);
+  const double lit = std::clamp((grazing - off) / std::min(20 * degree, grazing), 0.0, 1.0);
   return sharp * lit / (1.0 + eighth);
 }
 
@@ -278,7 +278,7 @@ std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& sur
   bool any = false;
   for (std::uint32_t t = 0; t < noses.size(); ++t) {
     if (!surfaces.conducts(t) || !mesh.closed(t)) continue;
-    noses[t] = finder.at({t, facet_middle});
+    noses[t] = finder.at({t, facet_middle()});
     any = any || noses[t].radius > 0.0;
   }
   if (!any) noses.clear();
@@ -301,7 +301,7 @@ std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces&
         part = whole;
         part.position += slice.ahead * whole.along;
       }
-      part.turn = slice.share * whole.turn;
+      part.turn = slice.area * whole.turn;
       parts.push_back(part);
     }
   }

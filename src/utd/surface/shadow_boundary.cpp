@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
 
 namespace {
-
-constexpr double tie = 1e-9;      // of the target's radius
-constexpr double nothing = 1e-9;  // of a piece
 
 // The boundary over one facet.
 struct Crossing {
   std::uint32_t triangle;
   std::array<dvec2, 2> ends;               // barycentric coordinates
-  std::array<dvec3, 2> points;             // of them
+  std::array<dvec3, 2> points;             // where these ends are [m]
   std::array<std::uint32_t, 2> neighbour;  // the crossing beyond each end, no_index: none
-  double measure;                          // in pieces
+  double measure;                          // in pieces of the boundary
 };
 
 class ShadowBoundary {
@@ -123,7 +122,7 @@ class ShadowBoundary {
     return sum / length;
   }
 
-  // Of a parabola through three points the place of its vertex, from the middle one on, within half-way to the others.
+  // The place of the vertex of a parabola through three points, from the middle one on, within half-way to the others.
   static double vertex(double before, double after, double rise, double fall) {
     if (before <= 0.0 || after <= 0.0) return 0.0;
     const double curvature = rise / before + fall / after;
@@ -140,7 +139,7 @@ class ShadowBoundary {
     const dvec3 centre = centroid(line);
     std::vector<double> distances;
     for (const Pass& pass : line) distances.push_back(glm::distance(begin(pass), centre));
-    const double farthest = std::ranges::max(distances) - tie * target_.tracer.mesh().radius;
+    const double farthest = std::ranges::max(distances) - rounding_guard * target_.tracer.mesh().radius;
     std::vector<double> found;
     for (std::size_t i = 0, count = line.size(); i < count; ++i) {
       if (distances[i] < farthest) continue;
@@ -191,8 +190,8 @@ BoundaryLine::BoundaryLine(std::vector<Crossing> crossings, bool closed, std::ve
 std::vector<BoundaryPiece> BoundaryLine::pieces() const {
   std::vector<BoundaryPiece> pieces;
   for (std::size_t i = 0; i + 1 < ends_.size(); ++i) {
-    const double parts = std::max(1.0, std::ceil(ends_[i + 1] - ends_[i] - nothing)), part = (ends_[i + 1] - ends_[i]) / parts;
-    for (double n = 0.0; n < parts && part > nothing; ++n)
+    const double parts = part_count(ends_[i + 1] - ends_[i]), part = (ends_[i + 1] - ends_[i]) / parts;
+    for (double n = 0.0; n < parts && part > rounding_guard; ++n)
       pieces.push_back(piece(ends_[i] + n * part, ends_[i] + (n + 1.0) * part));
   }
   return pieces;

@@ -15,7 +15,7 @@ struct BoundaryPiece {
   FacetPoint middle;  // half way along it
   dvec3 chord;        // from its one end to the other [m]
   double from, to;    // places of these ends along their line
-  double arc_length;  // of the middle along it [m]
+  double arc_length;  // place of the middle along the line [m]
 };
 
 /// A line on which the normals, linear over the facets, are across the wave.
@@ -25,8 +25,8 @@ class BoundaryLine {
   struct Crossing {
     std::uint32_t triangle;
     std::array<dvec2, 2> ends;    // barycentric coordinates of where it enters and leaves
-    std::array<dvec3, 2> points;  // of them
-    double measure;               // in pieces
+    std::array<dvec3, 2> points;  // where these ends are [m]
+    double measure;               // in pieces of the boundary
   };
 
   /// `ends`: the places where the stretches that are divided equally meet, of a closed line by up to its whole measure further.
@@ -42,7 +42,7 @@ class BoundaryLine {
 
   /// The piece between two places; of a closed line those beyond its measure go on from its beginning.
   BoundaryPiece piece(double from, double to) const;
-  /// Of a place, from where the line begins [m].
+  /// The length from where the line begins to a place on it [m].
   double arc_length(double at) const { return place(at).arc_length; }
 
  private:

@@ -15,30 +15,17 @@
 #include "utd/surface/lit_currents.h"
 #include "utd/surface/lit_frame.h"
 #include "utd/surface/shadow_boundary.h"
+#include "utd/wedge/rounding_guard.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double widest_strip = 1.0 / 3.0, longest_step = 0.5;  // of the wavelength
-constexpr double widest_piece = 1.0 / 4.0;  // of the wavelength, of the shadow boundary: across strips phases are linear
-// Strips that arrive at wedges farther apart have others between them, down to so small a part of a piece of the boundary. Where
-// halves bring their ends no nearer, twice in a row, these stand on different edges.
-constexpr double ends_apart = 1.0 / 6.0;  // of the wavelength
+// The longest step along a strip and the widest piece of the shadow boundary, in wavelengths: phases are linear across strips.
+constexpr double longest_step = 0.5, widest_piece = 0.25;
+// Between strips that arrive at wedges far apart there are others, down to this part of a piece of the shadow boundary.
 constexpr double least_part = 1.0 / 64.0;
-constexpr double no_nearer = 0.75;
-constexpr int most_jumps = 2;
-constexpr double most_turn = 0.3;         // of the normal over a piece of the shadow boundary [rad]
-constexpr double phase_bend = 0.1;        // k kappa h^2 over a step h [rad]
-constexpr double fock_step = 0.15;         // of xi
-constexpr double last_xi = 10.0;          // in the dark, where nothing is left
-constexpr double no_more = 1e-9;          // of a step or strip that would make another one
-constexpr double fading_spread = 8.0;     // of a strip's width at its beginning, where half of its current is counted
-constexpr double at_caustic = 8.0;        // so much finer are steps there
-constexpr double near_tip = 0.5;          // wavelengths from the axis of its cone, the same
-constexpr double least_curvature = 1e-6;  // times the target's radius
-constexpr double least_width = 1e-3;      // of a ray in pictures, of that at its start
 
 /// The surface along a strip.
 struct StripPoint {
@@ -48,18 +35,18 @@ struct StripPoint {
 
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
-  StripPoint q;  // of the boundary
+  StripPoint q;  // where it leaves the boundary
   std::uint32_t component;
   std::uint32_t material;                    // no_index: a perfect conductor
-  dvec3 chord;                               // of its piece of that [m]
+  dvec3 chord;                               // from end to end of its piece of the boundary [m]
   double across;                             // its width there [m]
   std::array<double, 2> magnetic, electric;  // H and E of the wave there along the binormal, transmit V and H
   bool radiates;
   GeodesicMarch march;
   double clearance = std::numeric_limits<double>::infinity();  // the least radius of the cone of a tip on the way [m]
   double last = 0.0;                                           // from q to where the current was put last [m]
-  Complex area = 0.0;                                          // of that: root of the widths there and at q, with the caustics
-  double path = 0.0;                                           // of that, in phase [m]
+  Complex area = 0.0;  // root of its widths at q and at its end, turned by the caustics between them
+  double path = 0.0;   // phase of its end over k [m]
 
   dvec3 binormal() const { return glm::cross(march.direction(), march.normal()); }
 };
@@ -68,7 +55,7 @@ struct DarkStrip {
 struct StripArrival {
   double at;  // arc length of its start along the line of the boundary [m]
   SurfaceArrival arrival;
-  std::array<double, 2> magnetic;  // of DarkStrip
+  std::array<double, 2> magnetic;  // DarkStrip::magnetic
   std::vector<Complex> current;  // [frequency], half of it for unit H, times the strip's width over that of its piece of the line
   std::vector<Complex> weight;   // [frequency], of the integral along the line, with the phase [m]
 };
@@ -100,7 +87,8 @@ class SurfaceLook {
   }
 
   SurfaceWaveResult take() {
-    for (const BoundaryLine& line : shadow_boundary(target_, look_, widest_piece * shortest_, most_turn)) {
+    // The normal turns by 0.3 rad at most over a piece of the boundary.
+    for (const BoundaryLine& line : shadow_boundary(target_, look_, widest_piece * shortest_, 0.3)) {
       add_strips(line, 1.0);
       add_strips(line, -1.0);
     }
@@ -113,8 +101,8 @@ class SurfaceLook {
   }
 
  private:
-  // Of all pieces of a line. What of it arrives at wedges is integrated along the line: where strips graze the wedge their ends
-  // are far apart there, and phases turn by more than one piece stands for.
+  // Adds the strips of all pieces of a line. What of them arrives at wedges is integrated along the line: where strips graze the
+  // wedge their ends are far apart there, and phases turn by more than one piece stands for.
   void add_strips(const BoundaryLine& line, double side) {
     std::vector<std::optional<StripArrival>> arrivals;
     const std::vector<BoundaryPiece> pieces = line.pieces();
@@ -146,16 +134,18 @@ class SurfaceLook {
     return a && b ? glm::distance(a->arrival.position, b->arrival.position) : std::numeric_limits<double>::infinity();
   }
 
-  // Between the strips of two places on a line, of which so many halves in a row brought them no nearer.
+  // Integrates from the strip of one place on a line to that of another. Where they arrive farther apart than a sixth of a
+  // wavelength, each half of the stretch is integrated by itself. Ends that two halves in a row, `jumps`, have not brought nearer
+  // by a quarter stand on different edges.
   void integrate(const BoundaryLine& line, double side, double from, double to, std::optional<StripArrival>& a,
                  std::optional<StripArrival>& b, int jumps = 0) {
     if (!a && !b) return;
     const double apart = distance(a, b);
-    if (apart <= ends_apart * shortest_) return add_between(*a, *b);
-    if (to - from > least_part && jumps < most_jumps) {
+    if (apart <= 1.0 / 6.0 * shortest_) return add_between(*a, *b);
+    if (to - from > least_part && jumps < 2) {
       const double middle = 0.5 * (from + to);
       std::optional<StripArrival> between = strip_at(line, side, middle);
-      const auto jumps_to = [&](double nearer) { return nearer < no_nearer * apart ? 0 : jumps + 1; };
+      const auto jumps_to = [&](double nearer) { return nearer < 0.75 * apart ? 0 : jumps + 1; };
       integrate(line, side, from, middle, a, between, jumps_to(distance(a, between)));
       integrate(line, side, middle, to, between, b, jumps_to(distance(between, b)));
       return put(between);
@@ -220,12 +210,12 @@ class SurfaceLook {
     return target_.facing(t, corner, look_.incident(target_.corner(t, corner)));
   }
 
-  // Along the lit part of a facet's side.
+  // Adds strips along the lit part of a facet's side, each a third of a wavelength wide at most.
   void add_far_sides(std::uint32_t t, int c, const dvec3& way, double side) {
     const double a = side * facing(t, c), b = side * facing(t, (c + 1) % 3);
     if (a >= 0.0 && b >= 0.0) return;
     const double from = a > 0.0 ? a / (a - b) : 0.0, to = b > 0.0 ? a / (a - b) : 1.0, share = to - from;
-    const int parts = std::max(1, static_cast<int>(std::ceil(share * glm::length(way) / (widest_strip * shortest_) - no_more)));
+    const int parts = static_cast<int>(part_count(share * glm::length(way) / (1.0 / 3.0 * shortest_)));
     for (int i = 0; i < parts; ++i) {
       const double x = from + share * (i + 0.5) / parts;
       double l[3] = {};
@@ -249,7 +239,7 @@ class SurfaceLook {
     const std::array<double, 2> magnetic = along(here.magnetic, q.binormal);
     SurfaceArrival arrival{start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}};
     const std::vector<Complex> currents = band_.everywhere([&](double k) {
-      return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_share(frame, k).hard *
+      return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_excess(frame, k).hard *
              sinc(k * half_path);
     });
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
@@ -284,7 +274,7 @@ class SurfaceLook {
     const dvec3 incident = incident_at(start);
     const StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
     const double across = std::abs(glm::dot(piece.chord, q.binormal));
-    if (q.curvature * mesh_.radius < least_curvature || across <= 0.0) return {};
+    if (q.curvature * mesh_.radius < flattest_curvature || across <= 0.0) return {};
     if (!target_.is_lit(q.position, q.normal, incident)) return {};
     ++result_.strips;
     // Rays of one antenna along the surface part as they come: the derivative of d over the boundary is its chord across d / R.
@@ -301,13 +291,14 @@ class SurfaceLook {
     return arrival;
   }
 
-  // Over so much of a strip the current, and the rate of its phase, change by little [m].
+  // The next step along a strip [m]: its phase bends by k kappa h^2 = 0.1 rad at most over a step h, and xi grows by 0.15. Close
+  // to a caustic, and within half a wavelength of the axis of a tip's cone, steps are up to 8 times as fine.
   double step_limit(const DarkStrip& strip) const {
-    const double curvature = std::max(strip.march.curvature(), least_curvature / mesh_.radius);
-    const double bend = std::sqrt(phase_bend / (highest_ * curvature));
-    const double fock = fock_step / std::cbrt(0.5 * highest_ * curvature * curvature);
-    const double limit = std::min({longest_step * shortest_, bend, fock}), finest = limit / at_caustic;
-    if (tip_radius(strip.march.position()) < near_tip * shortest_) return finest;
+    const double curvature = std::max(strip.march.curvature(), flattest_curvature / mesh_.radius);
+    const double bend = std::sqrt(0.1 / (highest_ * curvature));
+    const double fock = 0.15 / std::cbrt(0.5 * highest_ * curvature * curvature);
+    const double limit = std::min({longest_step * shortest_, bend, fock}), finest = limit / 8.0;
+    if (tip_radius(strip.march.position()) < 0.5 * shortest_) return finest;
     return std::clamp(strip.march.width().to_focus(), finest, limit);
   }
 
@@ -330,7 +321,7 @@ class SurfaceLook {
 
   // m = (k / 2 kappa)^(1/3)
   double fock_scale(double curvature, double k) const {
-    return std::cbrt(0.5 * k / std::max(curvature, least_curvature / mesh_.radius));
+    return std::cbrt(0.5 * k / std::max(curvature, flattest_curvature / mesh_.radius));
   }
 
   // m eta J for the soft one.
@@ -352,12 +343,12 @@ class SurfaceLook {
     return fock;
   }
 
-  // For pictures.
+  // Keeps the end for pictures, where no strip is narrower than a thousandth of its start: at a caustic it has no width.
   void keep_end(const DarkStrip& strip) {
     const GeodesicMarch& end = strip.march;
     const double k = wavenumbers_.front(), share = std::abs(end.width().width) / strip.across;
     const FockCurrents fock = currents(strip, k);
-    const double factor = 1.0 / std::sqrt(std::max(share, least_width));
+    const double factor = 1.0 / std::sqrt(std::max(share, 1e-3));
     if (end.distance() == 0.0) rays_->push_back({SurfaceRayKind::into_the_dark, 1});
     rays_->back().points.push_back({end.position(), end.distance(), end.way().distance(k), share, factor * std::abs(fock.hard),
                                     factor * std::abs(fock.soft) / fock_scale(end.curvature(), k)});
@@ -384,9 +375,9 @@ class SurfaceLook {
     }
   }
 
-  // Strips that have spread over many wavelengths are known along their middles alone: they fade, so that no sum over strips
-  // hangs on whether one of them is given up.
-  static double spread_share(double spread) { return 1.0 / (1.0 + std::pow(spread / fading_spread, 4)); }
+  // Strips that have spread over many wavelengths are known along their middles alone: they fade, by a half at 8 times
+  // their first width, so that no sum over strips hangs on whether one of them is given up.
+  static double spread_share(double spread) { return 1.0 / (1.0 + std::pow(spread / 8.0, 4)); }
 
   void radiate_to_end(const DarkStrip& strip) {
     set_amplitudes(strip);
@@ -409,7 +400,7 @@ class SurfaceLook {
     strip.last = end.distance();
   }
 
-  // Of the cone of the next tip, at a point of it [m].
+  // The radius of the cone of the next tip at a point of it [m].
   double tip_radius(const dvec3& position) const {
     double radius = std::numeric_limits<double>::infinity();
     for (const ConicalTip& tip : tips_) radius = std::min(radius, tip.radius_at(position));
@@ -421,7 +412,7 @@ class SurfaceLook {
     GeodesicMarch& end = strip.march;
     while (end.march_to(strip.last + step_limit(strip)) && end.curvature() >= 0.0) {
       put_end(strip);
-      if (end.way().distance(lowest_) >= last_xi) return {};
+      if (end.way().distance(lowest_) >= 10.0) return {};  // the hard current, e^{-0.88 xi}, has fallen to 1.5e-4
     }
     if (end.lost() || end.curvature() < 0.0) return {};
     if (end.distance() > strip.last) put_end(strip);
@@ -445,7 +436,7 @@ class SurfaceLook {
   const std::vector<double> wavenumbers_;
   BandSum band_;
   double shortest_ = 0.0, lowest_ = 0.0, highest_ = 0.0;
-  std::vector<ScatteringMatrix> amplitudes_;  // of the point at hand
+  std::vector<ScatteringMatrix> amplitudes_;  // at the end of the strip at hand
   std::optional<StripSum> sum_;
   SurfaceWaveResult result_;
 };

@@ -15,11 +15,7 @@ namespace raytube {
 
 namespace {
 
-constexpr double at_angle = 10 * degree;  // to the edge at which r is taken: clear of what SheetCorner smooths
-constexpr double first_off = 50 * degree, last_off = 100 * degree;  // of rays from the rim, where it takes them less and less
-constexpr double all_lit = -3.0;                                    // xi below which Fock's factor is 1
-
-// Of both polarisations.
+// Waves of both polarisations.
 using Waves = std::array<Complex, 2>;
 
 long tenths(double angle) { return std::lround(10.0 * angle / degree); }
@@ -28,13 +24,14 @@ long tenths(double angle) { return std::lround(10.0 * angle / degree); }
 struct RimRay {
   dvec3 towards;
   std::array<dvec3, 2> fields;
-  double path;  // over k [m]
+  double path;  // phase over k [m]
 };
 
-// Share of a ray that a rim takes; a tip has the rest.
+// Share of a ray that a rim takes, less and less from 50 to 100 degrees off its direction, which was set with the almond in view
+// (docs/theory/surface_waves.md#flat-tips); a tip has the rest.
 double rim_share(const dvec3& towards, const RimPlace& place) {
   const double off = std::acos(std::clamp(-glm::dot(towards, place.tangent), -1.0, 1.0));
-  return smooth_step((last_off - off) / (last_off - first_off));
+  return smooth_step((100 * degree - off) / (100 * degree - 50 * degree));
 }
 
 // Share of a ray that the tip takes. One that comes along the rim passes by, within a part of Fock's angle (k radius)^(-1/3);
@@ -49,13 +46,13 @@ double tip_share(const dvec3& towards, const Rim& rim, const dvec3& normal, doub
   return rest * smooth_step(angle > 0.0 ? clear / angle + 0.25 : clear > 0.0 ? 1.0 : 0.0);
 }
 
-// u over the incident wave in the plane of the rims; `out` is the sine of the angle at which the ray comes, < 0 beyond the border
-// of the light.
-Complex lit_share(double curvature, double wavenumber, double out) {
+// Fock's factor of a rim: u over the incident wave in the plane of the rims; `out` is the sine of the angle at which the ray
+// comes, negative beyond the border of the light. In the light the factor is 1 from xi = -3 on.
+Complex fock_factor(double curvature, double wavenumber, double out) {
   if (curvature <= 0.0) return 1.0;
   const double xi = -std::cbrt(wavenumber / (2.0 * curvature)) * out;
   if (xi > 0.0) return 0.5 * fock_in_the_dark(xi).hard;
-  return xi < all_lit ? 1.0 : fock_factors(xi).hard;
+  return xi < -3.0 ? 1.0 : fock_factors(xi).hard;
 }
 
 // What comes over the body to its edge has not yet cast its shadow below it: top less bottom are erf(e^{j pi/4} x), x^2 = k d
@@ -67,8 +64,8 @@ Complex phase_over_body(const RimPlace& place, double out, double up, double wav
   return x < 1e-6 ? std::polar(1.0, pi / 4) : error_function / std::abs(error_function);
 }
 
-// The edge's field for a ray at elevation e, seen along the edge: cos(e/2) outwards + sin(e/2) normal; `in_plane` takes the place
-// of its part outwards in the plane, e = 0 or pi. What crosses the body in the plane has no part upright on it.
+// The edge's field for a ray at elevation e, seen along the edge: cos(e/2) outwards + sin(e/2) normal; in the plane, e = 0 or pi,
+// `in_plane` takes the place of its part outwards. What crosses the body in the plane has no part upright on it.
 Waves edge_fields(const RimPlace& place, const dvec3& normal, const RimRay& ray, const Waves& in_plane, double wavenumber) {
   const double out = glm::dot(ray.towards, place.outwards), up = glm::dot(ray.towards, normal);
   const double elevation = std::atan2(up, out), flat = std::abs(std::cos(elevation)), half = std::cos(elevation / 2);
@@ -135,15 +132,15 @@ class FlatTipWaves::Visit {
   // u along the rim's normal in the plane of the rims, over the wave's phase at a place: Fock's hard current over twice the
   // incident one in the light, a half of it in the dark, which has come along the rim from where that is grazed.
   Waves lit_wave(const RimPlace& place, const RimRay& ray) const {
-    const Complex share = lit_share(place.curvature, wavenumber_, glm::dot(ray.towards, place.outwards));
-    return {share * glm::dot(ray.fields[0], place.outwards), share * glm::dot(ray.fields[1], place.outwards)};
+    const Complex factor = fock_factor(place.curvature, wavenumber_, glm::dot(ray.towards, place.outwards));
+    return {factor * glm::dot(ray.fields[0], place.outwards), factor * glm::dot(ray.fields[1], place.outwards)};
   }
   Waves dark_wave(const RimPlace& boundary, const RimPlace& place, const RimRay& ray) const {
     const RimRay grazing = ray_to(boundary.position);
     const double path = grazing.path - boundary.distance - ray.path + place.distance;
-    const Complex share =
+    const Complex factor =
         0.5 * fock_in_the_dark(std::cbrt(wavenumber_) * (boundary.bend - place.bend)).hard * std::polar(1.0, wavenumber_ * path);
-    return {share * glm::dot(grazing.fields[0], boundary.outwards), share * glm::dot(grazing.fields[1], boundary.outwards)};
+    return {factor * glm::dot(grazing.fields[0], boundary.outwards), factor * glm::dot(grazing.fields[1], boundary.outwards)};
   }
   bool sees(const dvec3& position, const dvec3& normal, const RimRay& ray) const {
     return target_.is_lit(position, normal, -ray.towards);
@@ -165,13 +162,14 @@ FlatTipWaves::FlatTipWaves(std::vector<FlatTip> tips) : tips_(std::move(tips)) {
 
 const SheetCorner& FlatTipWaves::corner(const FlatTip& tip) const { return corners_.at(tenths(tip.angle)); }
 
-// Gamma of rays in the plane at `at_angle` to the edge at +y and to the other one, times the root of that; fields point away from
-// the sheet at either edge, as those of the rims do.
+// Gamma of rays in the plane at 10 degrees to the edge at +y and to the other one, times the root of that angle, which is clear
+// of what SheetCorner smooths; fields point away from the sheet at either edge, as those of the rims do.
 FlatTipWaves::Reflection FlatTipWaves::reflection_of(double angle) const {
+  constexpr double to_edge = 10 * degree;
   const auto start = [&](double side) {
-    const double azimuth = side * (angle / 2 + at_angle);
+    const double azimuth = side * (angle / 2 + to_edge);
     const dvec3 towards(std::cos(azimuth), std::sin(azimuth), 0.0), outwards(-side * towards.y, side * towards.x, 0.0);
-    return std::sqrt(at_angle) * dot(corners_.at(tenths(angle)).start(towards).flat, outwards);
+    return std::sqrt(to_edge) * dot(corners_.at(tenths(angle)).start(towards).flat, outwards);
   };
   return {start(1.0), start(-1.0)};
 }

@@ -25,7 +25,7 @@ class FlatTipWaves {
  public:
   explicit FlatTipWaves(std::vector<FlatTip> tips);
 
-  /// Of all of them, and over how many points of rims it is the sum.
+  /// S of the waves of all tips, and over how many points of rims it is the sum.
   CountedSum scattering(const CurvedTarget& target, LocalLook& look, double wavenumber, StripPlaces* places) const;
   bool empty() const { return tips_.empty(); }
 

@@ -6,17 +6,14 @@
 #include <iterator>
 
 #include "core/angle.h"
+#include "utd/corner/corner_angles.h"
 #include "utd/tip/rim_line.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr double least_deficit = 60 * degree;                             // of the angles round a vertex, to make a point of it
-constexpr double narrowest_tip = 15 * degree, widest_tip = 165 * degree;  // angles between rims
-constexpr double near_tip = 0.15;                                         // of a rim's length: there it ends in a tip
-
-// Those that are edges at a wavenumber, whatever the target has at lower ones.
+// Noses that are edges at a wavenumber, whatever the target has at lower ones.
 std::vector<Nose> noses_at(std::span<const Nose> all, double wavenumber) {
   constexpr double least_edge = 0.01;
   std::vector<Nose> noses;
@@ -50,14 +47,14 @@ double first_curvature(const Rim& rim) {
   return turn / length;
 }
 
-// In its first half: it may come back.
+// Whether a rim comes by a position in its first half; in its second one it may come back.
 bool passes(const Rim& rim, const dvec3& position) {
   return std::ranges::any_of(rim.places, [&](const RimPlace& p) {
     return 2 * p.distance < length_of(rim) && glm::distance(p.position, position) < p.step;
   });
 }
 
-// Of the rims that noses seem to point along, two that go on.
+// The two longest of the rims that noses seem to point along.
 std::vector<Rim> two_rims(const RimTracer& tracer, const dvec3& position) {
   std::vector<Rim> rims;
   for (const dvec3& direction : tracer.directions_from(position)) {
@@ -73,23 +70,24 @@ std::vector<Rim> two_rims(const RimTracer& tracer, const dvec3& position) {
   return rims;
 }
 
+// The tip is solved as the corner of a sheet.
 std::optional<FlatTip> tip_at(const RimTracer& tracer, const dvec3& position) {
   std::vector<Rim> rims = two_rims(tracer, position);
   if (rims.empty()) return std::nullopt;
   const dvec3 a = -rims[0].places.front().tangent, b = -rims[1].places.front().tangent;
   const double angle = angle_between(a, b);
-  if (angle < narrowest_tip || angle > widest_tip) return std::nullopt;
+  if (angle < least_corner || angle > greatest_corner) return std::nullopt;
   return FlatTip{
       position, glm::normalize(a + b), glm::normalize(glm::cross(b, a)), angle, {std::move(rims[0]), std::move(rims[1])}};
 }
 
-// The tip near which a rim ends, and the rim along which it comes there.
+// The tip near which a rim ends, within 0.15 of the rim's length, and the rim along which it comes there.
 std::optional<RimEnd> end_of(std::span<const FlatTip> tips, const Rim& rim) {
   const RimPlace& last = rim.places.back();
   for (std::uint32_t i = 0; i < tips.size(); ++i) {
     const dvec3 way = tips[i].position - last.position;
     const double gap = glm::length(way);
-    if (gap > near_tip * last.distance) continue;
+    if (gap > 0.15 * last.distance) continue;
     const std::uint32_t side = glm::dot(tips[i].across(0), -way) > 0.0 ? 0 : 1;
     return RimEnd{i, side, last.distance + gap};
   }
@@ -114,6 +112,7 @@ void join(std::vector<FlatTip>& tips) {
 
 }  // namespace
 
+// The facets round a tip's vertex leave 60 degrees of a full turn, at least.
 std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelength) {
   std::vector<FlatTip> tips;
   const std::vector<Nose> noses = noses_at(target.noses, 2 * pi / wavelength);
@@ -121,7 +120,7 @@ std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelengt
   const RimTracer tracer(noses, wavelength);
   const std::vector<double> deficits = angle_deficits(target);
   for (std::size_t v = 0; v < deficits.size(); ++v)
-    if (deficits[v] >= least_deficit)
+    if (deficits[v] >= 60 * degree)
       if (std::optional<FlatTip> tip = tip_at(tracer, target.tracer.mesh().vertices[v])) tips.push_back(std::move(*tip));
   join(tips);
   return tips;

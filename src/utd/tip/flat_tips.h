@@ -13,12 +13,12 @@ namespace raytube {
 /// Where a rim comes to: a tip again.
 struct RimEnd {
   std::uint32_t tip, rim;
-  double length;  // of the rim from tip to tip [m]
+  double length;  // length of the rim from tip to tip [m]
 };
 
 struct Rim {
   std::vector<RimPlace> places;  // from its tip on
-  double curvature = 0.0;        // of its first quarter, mean [1/m]
+  double curvature = 0.0;        // mean over its first quarter [1/m]
   std::optional<RimEnd> end;
 };
 
@@ -32,8 +32,8 @@ struct FlatTip {
   dvec3 across(std::uint32_t rim) const { return (rim == 0 ? 1.0 : -1.0) * glm::cross(normal, bisector); }
 };
 
-/// In the order of their vertices. Rims are those of the target's rounded edges (utd/surface/noses) at `wavelength`, in steps of
-/// a part of it.
+/// Flat tips in the order of their vertices. Their rims are those of the target's rounded edges (utd/surface/noses) at
+/// `wavelength`, in steps of a part of it.
 std::vector<FlatTip> find_flat_tips(const CurvedTarget& target, double wavelength);
 
 }  // namespace raytube

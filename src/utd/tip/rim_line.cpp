@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/corner/corner_angles.h"
+
 namespace raytube {
 
 namespace {
 
-constexpr double most_off = 35 * degree;     // of a rim's first noses from the line to the tip
-constexpr double least_angle = 15 * degree;  // between rims
-// In wavelengths:
-constexpr double step_length = 1.0 / 12, chord_length = 1.0 / 4;
-constexpr double longest_gap = 2.0;    // without a nose: there the rim ends
-constexpr double beside = 0.36;        // tangent: noses ahead are no farther to the side
-constexpr double sharpest_turn = 0.5;  // cosine, from place to place
-constexpr double back_at_start = 0.1;  // of the way gone: the rim is closed
+// The least step along a rim, and the gap without a nose at which a rim ends, in wavelengths.
+constexpr double step_length = 1.0 / 12, longest_gap = 2.0;
 
 // At a distance along a polyline from the tip.
 dvec3 point_at(const dvec3& tip, std::span<const RimPlace> rim, double distance) {
@@ -77,35 +73,38 @@ void share_lengths(std::vector<RimPlace>& rim) {
 
 }  // namespace
 
+// The edges of a rim's first noses are within 35 degrees of the line to the tip, and rims are 15 degrees apart at least, as those
+// of the flat tips that are solved (utd/corner/corner_angles.h).
 std::vector<dvec3> RimTracer::directions_from(const dvec3& tip) const {
   std::vector<const Nose*> near;
   const auto way = [&](const Nose* nose) { return nose->position - tip; };
   for (const Nose& nose : noses_) {
     const double distance = glm::length(way(&nose));
     if (nose.radius > 0.0 && distance > 0.0 && distance < longest_gap * wavelength_ &&
-        std::abs(glm::dot(way(&nose), nose.along)) > std::cos(most_off) * distance)
+        std::abs(glm::dot(way(&nose), nose.along)) > std::cos(35 * degree) * distance)
       near.push_back(&nose);
   }
   std::ranges::stable_sort(near, {}, [&](const Nose* nose) { return glm::length(way(nose)); });
   std::vector<dvec3> found;
   for (const Nose* nose : near) {
     const dvec3 direction = glm::normalize(way(nose));
-    if (std::ranges::all_of(found, [&](const dvec3& d) { return glm::dot(d, direction) < std::cos(least_angle); }))
+    if (std::ranges::all_of(found, [&](const dvec3& d) { return glm::dot(d, direction) < std::cos(least_corner); }))
       found.push_back(direction);
   }
   return found;
 }
 
-// Of the noses within a reach; radius 0 if there is none.
-RimPlace RimTracer::mean_ahead(const dvec3& at, const dvec3& ahead, double reach, double jitter) const {
+// The mean of the noses ahead up to a distance; radius 0 if there is none. To the side they are off by 20 degrees at most (its
+// tangent is 0.36), or by `jitter`.
+RimPlace RimTracer::mean_ahead(const dvec3& at, const dvec3& ahead, double farthest, double jitter) const {
   RimPlace mean{};
   double weight = 0.0;
   for (const Nose& nose : noses_) {
     if (nose.radius <= 0.0) continue;
     const dvec3 way = nose.position - at;
     const double along = glm::dot(way, ahead);
-    if (along <= 0.0 || along > reach) continue;
-    if (glm::length(way - along * ahead) > std::max(jitter, beside * along)) continue;
+    if (along <= 0.0 || along > farthest) continue;
+    if (glm::length(way - along * ahead) > std::max(jitter, 0.36 * along)) continue;
     weight += nose.turn;
     mean.position += nose.turn * nose.position;
     mean.outwards += nose.turn * nose.outwards;
@@ -120,26 +119,29 @@ RimPlace RimTracer::mean_ahead(const dvec3& at, const dvec3& ahead, double reach
   return mean;
 }
 
+// A rim turns by 60 degrees at most from one place to the next.
 std::optional<RimPlace> RimTracer::next(const dvec3& at, const dvec3& ahead, double jitter) const {
-  for (double reach = step_length * wavelength_; reach <= longest_gap * wavelength_; reach *= 1.5) {
-    RimPlace place = mean_ahead(at, ahead, reach, jitter);
+  for (double farthest = step_length * wavelength_; farthest <= longest_gap * wavelength_; farthest *= 1.5) {
+    RimPlace place = mean_ahead(at, ahead, farthest, jitter);
     place.step = glm::distance(place.position, at);
-    if (place.radius > 0.0 && place.step >= 0.2 * reach && glm::dot(-place.tangent, ahead) >= sharpest_turn) return place;
+    if (place.radius > 0.0 && place.step >= 0.2 * farthest && glm::dot(-place.tangent, ahead) >= 0.5) return place;
   }
   return std::nullopt;
 }
 
+// Where a rim comes as near to its tip again as a tenth of the way it has gone, it is closed. Tangents are those of chords of a
+// quarter of the wavelength.
 std::vector<RimPlace> RimTracer::trace(const dvec3& tip, const dvec3& direction) const {
   std::vector<RimPlace> rim;
   dvec3 at = tip, ahead = direction;
   double gone = 0.0;
   while (std::optional<RimPlace> place = next(at, ahead, rim.empty() ? 0.0 : 0.5 * step_length * wavelength_)) {
     place->distance = gone += place->step;
-    if (!rim.empty() && glm::distance(place->position, tip) < back_at_start * gone) break;
+    if (!rim.empty() && glm::distance(place->position, tip) < 0.1 * gone) break;
     at = place->position, ahead = -place->tangent;
     rim.push_back(*place);
   }
-  const double chord = chord_length * wavelength_;
+  const double chord = 1.0 / 4 * wavelength_;
   if (rim.empty() || gone < 2 * chord) return {};
   fill_gap(tip, rim, step_length * wavelength_);
   straighten(tip, rim, chord);

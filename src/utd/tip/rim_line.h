@@ -9,16 +9,16 @@
 
 namespace raytube {
 
-/// Of a line that comes to a tip.
+/// A place on a rim that comes to a tip.
 struct RimPlace {
   dvec3 position;
   dvec3 tangent;           // towards the tip
   dvec3 outwards;          // normal of the body there
   double distance = 0.0;   // from the tip along the rim [m]
-  double begin = 0.0;      // of the stretch that it stands for, as a distance, and
-  double step = 0.0;       // its length [m]
-  double radius = 0.0;     // of the section across the rim [m]
-  double curvature = 0.0;  // of the rim along itself [1/m]
+  double begin = 0.0;      // distance at which the stretch begins that it stands for [m]
+  double step = 0.0;       // length of that stretch [m]
+  double radius = 0.0;     // radius of the section across the rim [m]
+  double curvature = 0.0;  // curvature of the rim along itself [1/m]
   double bend = 0.0;       // INT (curvature^2 / 2)^(1/3) ds from the tip [m^(1/3)]: xi over k^(1/3)
 };
 
@@ -35,7 +35,7 @@ class RimTracer {
   std::vector<RimPlace> trace(const dvec3& tip, const dvec3& direction) const;
 
  private:
-  RimPlace mean_ahead(const dvec3& at, const dvec3& ahead, double reach, double jitter) const;
+  RimPlace mean_ahead(const dvec3& at, const dvec3& ahead, double farthest, double jitter) const;
   std::optional<RimPlace> next(const dvec3& at, const dvec3& ahead, double jitter) const;
 
   std::span<const Nose> noses_;

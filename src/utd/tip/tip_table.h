@@ -8,7 +8,7 @@
 namespace raytube::tip_table {
 
 inline constexpr double first_angle = 5.0, angle_step = 5.0;  // half angles of cones [deg]
-// Of the look from behind, to where it grazes the cone [deg].
+// Angles of the look from behind to where it grazes the cone [deg].
 inline constexpr std::array<double, 8> beyond{0, 5, 10, 15, 20, 30, 40, 60};
 // k S tan(theta / 2), theta the angle of the look to the axis behind the tip, not above 90 degrees.
 inline constexpr std::array<std::array<Complex, 8>, 12> amplitudes{{

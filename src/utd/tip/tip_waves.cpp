@@ -14,10 +14,10 @@ namespace raytube {
 
 namespace {
 
-constexpr double fade_from = 75.0 * degree, fade_to = 90.0 * degree;  // of the look to the axis; beyond, physical optics
-constexpr double step = 1.0 / 16.0, over = 1.0;                       // of the wavelength, along the side of a tip
-constexpr double least_bend = 1e-6;                                   // times the target's radius
-constexpr double straight = 0.02;                                     // of the normal, until the rim [rad]
+// A side of a tip is straight up to where its normal has turned by this angle [rad].
+constexpr double straight = 0.02;
+// A side is followed over this length, in wavelengths, at least: tips of shorter ones have no wave.
+constexpr double shortest_side = 1.0;
 
 /// A side of a tip in the plane of its axis and the look, as far as the shadow boundary, or a wavelength, in the light until it
 /// bends; to its rim if it is straight until there.
@@ -25,7 +25,7 @@ struct TipSide {
   dvec3 position, normal;  // at its end
   double length;           // from the tip [m]
   double bend;             // xi k^(-1/3) of the dark way [m^(1/3)]
-  double curvature;        // mean [1/m]
+  double curvature;        // mean of the side's [1/m]
   bool has_rim;
 };
 
@@ -33,13 +33,13 @@ struct TipSide {
 struct TipLook {
   const Tip& tip;
   dvec3 towards;  // to the antenna; unit
-  dvec3 across;   // the same across the axis
+  dvec3 across;   // what of that direction is across the axis; unit
   double behind;  // angle of that direction to the axis [rad]
 
   double beyond() const { return behind - tip.half_angle; }
   /// Angle of the look above that side, < 0 in the dark [rad].
   double above(double sign) const { return sign * behind - tip.half_angle; }
-  /// Of the side that is turned to the antenna, sign 1, or away from it, -1.
+  /// `sign` is 1 for the side that is turned to the antenna, -1 for the one that is turned away.
   bool in_the_dark(double sign) const { return sign < 0.0 || beyond() < 0.0; }
   dvec3 side(double sign) const { return sign * std::sin(tip.half_angle) * across - std::cos(tip.half_angle) * tip.outwards; }
   /// Across that direction, in the plane of the axis.
@@ -74,14 +74,14 @@ FacetPoint start_of(const TriangleMesh& mesh, const TipLook& seen, double sign) 
   return {facet.triangle, {l[1], l[2]}};
 }
 
-/// The way from a tip down one of its sides.
+/// The way from a tip down one of its sides, in steps of a sixteenth of the wavelength.
 class WayDown {
  public:
   WayDown(const CurvedTarget& target, const TipLook& seen, double sign, const FacetPoint& start, double wavelength)
       : target_(target),
         axis_(seen.tip.outwards),
         first_(glm::distance(target.surfaces.facet(start.triangle).point(start.l), seen.tip.position)),
-        step_(step * wavelength),
+        step_(1.0 / 16.0 * wavelength),
         march_(target, start, seen.side(sign), 1.0, step_),
         begin_(slope()) {}
 
@@ -121,14 +121,14 @@ class WayDown {
 
 std::optional<TipSide> side_to_rim(const WayDown& way, double wavelength) {
   const TipSide side = way.so_far(true);
-  if (!way.is_straight() || !way.at_rim() || side.length < over * wavelength) return std::nullopt;
+  if (!way.is_straight() || !way.at_rim() || side.length < shortest_side * wavelength) return std::nullopt;
   return side;
 }
 
 std::optional<TipSide> side_of(const CurvedTarget& target, const TipLook& seen, double sign, double wavelength) {
   WayDown way(target, seen, sign, start_of(target.tracer.mesh(), seen, sign), wavelength);
   const auto dark = [&] { return glm::dot(way.normal(), seen.towards) <= 0.0; };
-  while (way.length() < over * wavelength || (seen.in_the_dark(sign) && dark()))
+  while (way.length() < shortest_side * wavelength || (seen.in_the_dark(sign) && dark()))
     if (!way.go_on()) return side_to_rim(way, wavelength);
   const TipSide bent = way.so_far(false);
   while (way.is_straight())
@@ -149,8 +149,9 @@ Complex amplitude(double half_angle, double beyond) {
   return ((1 - u) * in_row(i) + u * in_row(i + 1)) / std::tan(0.5 * (half_angle + std::max(beyond, 0.0)));
 }
 
+// Tips fade out as the look turns from 75 to 90 degrees to the axis: from there on there is physical optics alone.
 double fade(double behind) {
-  const double x = std::clamp((behind - fade_from) / (fade_to - fade_from), 0.0, 1.0);
+  const double x = std::clamp((behind - 75.0 * degree) / (90.0 * degree - 75.0 * degree), 0.0, 1.0);
   return std::pow(std::cos(0.5 * pi * x), 2);
 }
 
@@ -159,7 +160,7 @@ struct TipRay {
   TipSide side;
   double above;     // TipLook::above
   double path;      // one way, from the phase reference [m]
-  double narrowed;  // strips, in amplitude
+  double narrowed;  // amplitude that strips have gained by becoming narrower
   bool dark;
 };
 
@@ -191,7 +192,7 @@ BentWay bent_way(const TipRay& ray, double k, double radius) {
   const double turn = side.curvature * side.length, arc = 2.0 * std::pow(side.bend, 3) / std::pow(turn, 2);
   const bool is_arc = turn <= 0.0 || !(arc > 0.0) || arc >= side.length;
   const double behind = is_arc ? 0.0 : side.length - arc,
-               curvature = is_arc ? std::max(side.curvature, least_bend / radius) : turn / arc;
+               curvature = is_arc ? std::max(side.curvature, flattest_curvature / radius) : turn / arc;
   if (ray.dark) return {behind, 0.5 * fock_in_the_dark(std::cbrt(k) * side.bend).hard};
   return {behind, fock_factors(-std::cbrt(0.5 * k / curvature) * std::sin(ray.above)).hard};
 }
@@ -240,7 +241,7 @@ class TipSum {
   const CountedSum& sum() const { return sum_; }
 
  private:
-  // Of the current at the tip, over that on a flat side.
+  // The current at the tip, over that on a flat side.
   template <class Phase>
   std::optional<Complex> share(const TipLook& seen, Phase phase) {
     sum_.count(1, work::round_tip_side);

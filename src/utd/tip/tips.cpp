@@ -11,9 +11,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double uneven = 0.1;       // of facets' slopes to the axis, about their mean
-constexpr double widest_gap = 0.85;  // between the azimuths of neighbouring facets [rad]; a pyramid of eight sides has 0.79
-
 dvec3 facet_normal(const TriangleMesh& mesh, const Triangle& t) {
   return glm::cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]);
 }
@@ -36,12 +33,12 @@ std::map<std::uint32_t, std::vector<TipFacet>> sharp_vertices(const CurvedTarget
   return found;
 }
 
-// Whether no two neighbours are further apart than that.
+// Whether facets stand all round the axis: neighbours are 0.85 rad apart at most; those of a pyramid of eight sides are by 0.79.
 bool all_round(std::vector<double> azimuths) {
   std::ranges::sort(azimuths);
   double widest = 2 * pi - azimuths.back() + azimuths.front();
   for (std::size_t i = 1; i < azimuths.size(); ++i) widest = std::max(widest, azimuths[i] - azimuths[i - 1]);
-  return widest < widest_gap;
+  return widest < 0.85;
 }
 
 bool is_smooth(const CurvedTarget& target, std::span<const TipFacet> facets) {
@@ -51,13 +48,13 @@ bool is_smooth(const CurvedTarget& target, std::span<const TipFacet> facets) {
   });
 }
 
-// A cone's facets all have the same slope to its axis, the sine of its half angle.
+// A cone's facets all have the same slope to its axis, the sine of its half angle, within 0.1.
 bool is_cone(const Tip& tip, std::span<const dvec3> normals) {
   const dvec3 across = glm::normalize(normals.front() - glm::dot(normals.front(), tip.outwards) * tip.outwards);
   const dvec3 other = glm::cross(tip.outwards, across);
   std::vector<double> azimuths;
   for (const dvec3& n : normals) {
-    if (std::abs(glm::dot(n, tip.outwards) - std::sin(tip.half_angle)) > uneven) return false;
+    if (std::abs(glm::dot(n, tip.outwards) - std::sin(tip.half_angle)) > 0.1) return false;
     azimuths.push_back(std::atan2(glm::dot(n, other), glm::dot(n, across)));
   }
   return all_round(std::move(azimuths));

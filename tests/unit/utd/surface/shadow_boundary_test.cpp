@@ -1,4 +1,6 @@
 // The currents beside a shadow boundary, and where it runs.
+#include "utd/surface/shadow_boundary.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "solve/solve.h"
 #include "utd/rounded/rims.h"
 #include "utd/surface/lit_frame.h"
-#include "utd/surface/shadow_boundary.h"
 
 namespace raytube {
 namespace {
@@ -42,7 +43,7 @@ TEST(LitFrame, SecondOrderAtNormalIncidence) {
   const double xi = frame.distance(k);
   EXPECT_NEAR(0.25 / (-xi * xi * xi), (3.0 - 1.0) / (2 * k), 1e-15);
   EXPECT_NEAR(std::abs(frame.bent.y), 1.0, 1e-12);
-  EXPECT_EQ(lit_share(LitFrame(bent(2.0, 2.0), dvec3(-1, 0, 0)), k).hard, 0.0);
+  EXPECT_EQ(lit_excess(LitFrame(bent(2.0, 2.0), dvec3(-1, 0, 0)), k).hard, 0.0);
 }
 
 TEST(LitFrame, NearTheBoundaryTheCurvatureAlongTheWaveDecides) {
@@ -55,14 +56,14 @@ TEST(LitFrame, NearTheBoundaryTheCurvatureAlongTheWaveDecides) {
 }
 
 TEST(LitFrame, HollowSurfacesAreAsFlat) {
-  EXPECT_EQ(lit_share(LitFrame(bent(-1.0, -2.0), glm::normalize(dvec3(-0.2, 1, 0))), 10.0).soft, 0.0);
+  EXPECT_EQ(lit_excess(LitFrame(bent(-1.0, -2.0), glm::normalize(dvec3(-0.2, 1, 0))), 10.0).soft, 0.0);
 }
 
 TEST(LitFrame, NothingWhereTheSurfaceIsHollowAlongTheWave) {
   // A saddle, grazed along its hollow direction: what it is convex by across the wave makes no shadow boundary there.
   const LitFrame frame(bent(-1.0, 2.0), glm::normalize(dvec3(-1e-3, 1, 0)));
-  EXPECT_EQ(lit_share(frame, 10.0).hard, 0.0);
-  EXPECT_EQ(lit_share(frame, 10.0).soft, 0.0);
+  EXPECT_EQ(lit_excess(frame, 10.0).hard, 0.0);
+  EXPECT_EQ(lit_excess(frame, 10.0).soft, 0.0);
 }
 
 // Of a hard wave that meets a circular cylinder of radius 1 (Bowman, Senior & Uslenghi 1969, eq. 2.2.1.3): the current at
