@@ -11,13 +11,6 @@ namespace raytube {
 namespace {
 
 constexpr std::array counts = {6, 8, 12, 16, 24, 32, 48};
-// Panels are not halved further: what is left is a jump, and its error is as small as the panel.
-constexpr int most_halvings = 8;
-// Bends inside a panel leave more than smooth functions do.
-constexpr double kinked = 4.0;
-// [points] Keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
-constexpr double slack = 1e-6;
-
 /// A rule, and what its points say of the last two terms of the Legendre series they resolve.
 struct Rule {
   std::span<const GaussPoint> points;
@@ -51,12 +44,13 @@ class Integrator {
     result_.error.resize(frequency_count);
   }
 
+  // Panels are halved 8 times at most: what is left then is a jump, and its error is as small as the panel.
   void add(double from, double to, double tolerance, int halvings) {
     const std::optional<std::size_t> first = first_rule(from, to);
     if (!first) return;
     for (std::size_t rule = *first; rule < counts.size(); ++rule) {
       sample(rules()[rule], from, to);
-      if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == most_halvings && rule + 1 == counts.size())) continue;
+      if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == 8 && rule + 1 == counts.size())) continue;
       accept();
       if (density_.counted)
         for (const GaussPoint& point : rules()[rule].points)
@@ -84,7 +78,8 @@ class Integrator {
       before = here;
     }
     if (!any) return {};
-    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2 - slack);
+    // A millionth of a point keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
+    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2 - 1e-6);
     return std::min<std::size_t>(enough - counts.begin(), counts.size() - 1);
   }
 
@@ -94,7 +89,8 @@ class Integrator {
   }
 
   // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses
-  // the terms from 2n on: about the square of the last ones. All channels decide together, so that it is not the polarisation
+  // the terms from 2n on: about the square of the last ones. Bends
+  // inside a panel leave four times what smooth functions do. All channels decide together, so that it is not the polarisation
   // basis that does.
   bool estimate(const Rule& rule, double width, double tolerance) {
     sum_.assign(frequency_count_, {});
@@ -110,7 +106,7 @@ class Integrator {
         size = std::max(size, frobenius_norm(sample));
       }
       const double left = std::max(frobenius_norm(tail[0]), frobenius_norm(tail[1])),
-                   share = size > 0.0 ? std::min(1.0, kinked * left / size) : 0.0;
+                   share = size > 0.0 ? std::min(1.0, 4.0 * left / size) : 0.0;
       for (int p = 0; p < 2; ++p)
         for (int q = 0; q < 2; ++q)
           error_[f][p][q] = width * share * std::max(std::abs(tail[0].at(p, q)), std::abs(tail[1].at(p, q)));

@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "core/reversed.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double grazing = 1e-9;  // cosine
 
 // A wave at a face. Beside its edge a diffracted wave has a part of H along the ray as well (its slopes): that is reflected as H
 // across the plane of incidence is, which is exact on conductors.
@@ -22,7 +21,7 @@ struct WaveOnFace {
   WaveOnFace(const FaceMaterials& materials, const MetFace& face, const dvec3& d, const ComplexVector& magnetic,
              std::size_t index, double wavenumber)
       : normal(glm::dot(face.normal, d) > 0.0 ? -face.normal : face.normal), direction(d), along(dot(magnetic, d)) {
-    const double cosine = std::max(-glm::dot(normal, d), grazing);
+    const double cosine = std::max(-glm::dot(normal, d), rounding_guard);
     response = materials.response(face.material, index, wavenumber, cosine, glm::dot(face.normal, d) > 0.0);
     waves = waves_at_surface(d, normal, cross(-d, magnetic), response);
   }

@@ -13,10 +13,10 @@ namespace raytube {
 /// What faces are made of, at the wavenumbers of a solve.
 struct FaceMaterials {
   std::span<const Material> materials{};       // empty: every face is a perfect conductor
-  std::span<const std::size_t> frequencies{};  // of each wavenumber, its index in the materials
+  std::span<const std::size_t> frequencies{};  // [wavenumber], its index in the materials
 
   bool any() const { return !materials.empty(); }
-  /// Of a face that a wave meets at this cosine.
+  /// The response of a face that a wave meets at this cosine.
   SurfaceResponse response(std::uint32_t material, std::size_t index, double wavenumber, double cosine, bool from_behind) const;
 };
 
@@ -34,11 +34,11 @@ struct FaceReceiver {
   dvec3 direction;  // unit
 };
 
-/// Of a wave with eta H `magnetic` along `direction`, at one of the wavenumbers: eta H after its reflection by the face.
+/// eta H of a wave after its reflection by the face: it has eta H `magnetic` along `direction`, at one of the wavenumbers.
 ComplexVector reflected_magnetic(const FaceMaterials& materials, const MetFace& face, const dvec3& direction,
                                  const ComplexVector& magnetic, std::size_t index, double wavenumber);
 
-/// The same wave's currents as the receiver has them: p . eta J + (s x p) . M for both of its fields p, s its direction.
+/// The currents of that wave as the receiver has them: p . eta J + (s x p) . M for both of its fields p, s its direction.
 std::array<Complex, 2> received_currents(const FaceMaterials& materials, const MetFace& face, const dvec3& direction,
                                          const ComplexVector& magnetic, const FaceReceiver& receiver, std::size_t index,
                                          double wavenumber);

@@ -5,18 +5,12 @@
 #include <functional>
 #include <utility>
 
+#include "utd/wedge/rounding_guard.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
 
 namespace {
-
-// With so few faces it costs less to try all than to ask the tree.
-constexpr std::size_t few_faces = 24;
-constexpr double parallel = 1e-9;        // sine between rays and a plane below which they never meet
-constexpr double same_position = 1e-12;  // in radii of the target
-constexpr double contact_steps = 3.0;    // of coordinates, as far as rounding parts faces that touch
-constexpr double beside_point = 1e-3;    // of the way to the point the rays come from: nothing that near to it counts
 
 // How much farther apart rays are for every metre along them from `base`, as a vector that components are taken of.
 dvec3 growth_of(const RayFan& fan) {
@@ -27,7 +21,7 @@ dvec3 growth_of(const RayFan& fan) {
 }  // namespace
 
 struct RayFanTracer::FanPlane {
-  dvec3 normal, across;  // of a point of it, the component along `across` times `scale` is its position
+  dvec3 normal, across;  // for a point of the plane, the component along `across` times `scale` is its position
   double scale;
   dvec3 growth;
 
@@ -68,7 +62,7 @@ void RayFanTracer::trace(const RayFan& fan, const IgnoredPatches& ignored_patche
   if (crossed_.empty()) return;
   cut(fan);
   work_ += work::order_in_fan * static_cast<double>(cuts_.size() * crossed_.size());
-  const double least = same_position * tree_.mesh().radius;
+  const double least = tie_guard * tree_.mesh().radius;
   for (std::size_t i = 1; i < cuts_.size(); ++i) {
     if (cuts_[i] - cuts_[i - 1] <= least) continue;
     const double middle = (cuts_[i - 1] + cuts_[i]) / 2;
@@ -86,7 +80,8 @@ void RayFanTracer::gather(const RayFan& fan, const IgnoredPatches& ignored_patch
   crossed_.clear();
   const TriangleMesh& mesh = tree_.mesh();
   near_.clear();
-  if (tree_.faces().size() <= few_faces) {
+  // With so few faces it costs less to try all than to ask the tree.
+  if (tree_.faces().size() <= 24) {
     for (std::uint32_t face = 0; face < tree_.faces().size(); ++face) near_.push_back(face);
   } else {
     collect_near(fan);
@@ -96,7 +91,7 @@ void RayFanTracer::gather(const RayFan& fan, const IgnoredPatches& ignored_patch
     const Face& polygon = tree_.faces()[face];
     if (std::ranges::find(ignored_patches, polygon.patch) != ignored_patches.end()) continue;
     const double facing = facing_of(fan, mesh.patches[polygon.patch]);
-    if (std::abs(facing) < parallel || (facing > 0.0 && mesh.closed(polygon.triangle))) continue;
+    if (std::abs(facing) < rounding_guard || (facing > 0.0 && mesh.closed(polygon.triangle))) continue;
     intersect(fan, plane, face, facing);
   }
 }
@@ -128,7 +123,8 @@ void RayFanTracer::intersect(const RayFan& fan, const FanPlane& in, std::uint32_
     if ((height >= 0.0) != (height_before >= 0.0)) {
       const dvec3 point = before + height_before / (height_before - height) * (here - before);
       double position = in.scale * glm::dot(in.across, point);
-      if (fan.divergence != 0.0) position /= std::max(beside_point, 1.0 + glm::dot(in.growth, point));
+      // Nothing counts that is within a thousandth of the way to the point the rays come from.
+      if (fan.divergence != 0.0) position /= std::max(1e-3, 1.0 + glm::dot(in.growth, point));
       from = std::min(from, position);
       to = std::max(to, position);
     }
@@ -142,9 +138,9 @@ void RayFanTracer::intersect(const RayFan& fan, const FanPlane& in, std::uint32_
   const FanHit hit{face, from, to, (plane.offset - glm::dot(plane.normal, fan.base)) / facing,
                    -glm::dot(plane.normal, fan.step) / facing};
   // Rays that begin all along in the plane of a face, within rounding, do not meet it, as hits at no distance do not count: there
-  // bodies touch.
+  // bodies touch, and rounding parts their faces by three steps of coordinates at most.
   const auto above = [&](double z) { return std::abs((hit.length - fan.begin + (hit.growth - fan.growth) * z) * facing); };
-  const double rounding = contact_steps * mesh.coordinate_step;
+  const double rounding = 3.0 * mesh.coordinate_step;
   if (above(from) <= rounding && above(to) <= rounding && rounding > 0.0) return;
   crossed_.push_back(hit);
 }
@@ -172,7 +168,7 @@ void RayFanTracer::go_on_to(double position) {
 const FanHit* RayFanTracer::first_at(const RayFan& fan, double position) const {
   const FanHit* first = nullptr;
   double nearest = fan.divergence > 0.0 ? 1.0 / fan.divergence : std::numeric_limits<double>::infinity();
-  const double start = fan.begin + fan.growth * position + same_position * tree_.mesh().radius;
+  const double start = fan.begin + fan.growth * position + tie_guard * tree_.mesh().radius;
   for (const FanHit* face : covering_) {
     const double distance = face->length + face->growth * position;
     if (distance <= start || distance > nearest || (distance == nearest && face > first)) continue;

@@ -26,10 +26,10 @@ struct FanHit {
 
 /// The rays between the two positions of a hit after the reflection by the plane they have met.
 RayFan reflected(const RayFan& fan, const FanHit& hit, const dvec3& normal);
-/// The same of rays of a point, of the image of the line they left.
+/// The fan of rays of a point, by the image of the line they left.
 RayFan reflected_image(const RayFan& fan, const FanHit& hit, const dvec3& normal, double offset);
 
-/// Of a plane's normal, its component along the rays; of those of a point the same sign for all, and not of unit vectors.
+/// The component of a plane's normal along the rays; for those of a point the same sign for all, and not of unit vectors.
 double facing_of(const RayFan& fan, const Patch& plane);
 
 /// Finds first hits. Keeps buffers between calls: one object a thread.

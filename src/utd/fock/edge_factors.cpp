@@ -7,9 +7,10 @@ namespace raytube {
 
 namespace {
 
+// The table has so many values per unit of xi, and ends at this xi.
 constexpr int per_unit = 128, table_end = 20;
-constexpr double series_end = 0.15;    // of xi: the next term of the series is 1e-6
-constexpr double last_residue = 40.0;  // times xi: e^{-35} of it
+// The xi at which the next term of the series is 1e-6.
+constexpr double series_end = 0.15;
 
 // The zeros of Ai and Ai' on the negative axis: Abramowitz and Stegun (1964), table 10.13, and beyond it their expansions 10.4.94
 // and 10.4.95.
@@ -36,10 +37,11 @@ EdgeFactors by_series(double xi) {
           1.0 - root / 2 * turn + Complex(0, 5.0 / 12) * x * x + 5 * root / 64 * back};
 }
 
+// The last residue left out is e^{-40 sin 60} = e^{-35}.
 EdgeFactors by_residues(double xi) {
   const Complex turn = std::polar(1.0, -pi / 3);
   Complex hard = 0.0, soft = 0.0;
-  for (int n = 0; xi * hard_zero(n) < last_residue; ++n) {
+  for (int n = 0; xi * hard_zero(n) < 40.0; ++n) {
     const Complex h = hard_zero(n) * turn;
     hard += std::exp(Complex(0, -xi) * h) / h;
     soft += std::exp(Complex(0, -xi * soft_zero(n)) * turn);

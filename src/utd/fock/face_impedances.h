@@ -14,7 +14,7 @@ namespace raytube {
 /// |eps mu| >= 2. An absorber returns nothing at any angle, which no impedance does.
 bool carries_waves(std::span<const Material> materials, std::uint32_t material);
 
-/// Of materials that waves run over, at the frequencies of a sweep.
+/// The impedances of materials that waves run over, at the frequencies of a sweep.
 class FaceImpedances {
  public:
   /// `materials` at `frequencies`; refers to both.

@@ -52,7 +52,7 @@ void DarkWay::step(double curvature, double gaussian, double h) {
 }
 
 FockCurrents DarkWay::with_second_order(const FockCurrents& first, double wavenumber) const {
-  // Of the first order's exponent; so much the second has where it is no longer small beside the first.
+  // The part of the first order's exponent that the second one has where it is no longer small beside the first.
   constexpr double most = 0.15;
   const double scale = 1.0 / std::cbrt(wavenumber), xi = distance(wavenumber);
   const auto factor = [&](double more, double zero) {

@@ -20,7 +20,7 @@ FockCurrents fock_in_the_dark(double xi);
 /// A way through the dark, whatever the frequency.
 class DarkWay {
  public:
-  /// Over h [m] of a surface with that normal curvature along the way [1/m] and that Gaussian one.
+  /// A step over h [m] of a surface with that normal curvature along the way [1/m] and that Gaussian one.
   void step(double curvature, double gaussian, double h);
 
   double distance(double wavenumber) const { return std::cbrt(wavenumber) * distance_; }  // xi
@@ -40,7 +40,7 @@ class DarkWay {
 
  private:
   double distance_ = 0.0;                     // integral of (kappa^2 / 2)^(1/3) [m^1/3]
-  double bends_ = 0.0;                        // of kappa^(1/3) [m^2/3]
+  double bends_ = 0.0;                        // integral of kappa^(1/3) [m^2/3]
   double hard_more_ = 0.0, soft_more_ = 0.0;  // [m^-1/3]
 };
 

@@ -7,7 +7,7 @@
 
 namespace raytube::fock_fit {
 
-inline constexpr double dark_end = 4.0, lit_end = 3.0;  // of |xi|
+inline constexpr double dark_end = 4.0, lit_end = 3.0;  // |xi| at the ends of the fits
 
 // The first two creeping waves of G: -zeros of Ai', amplitudes; beyond dark_end error 3e-08.
 inline constexpr std::array<double, 2> hard_zeros{1.018792971647, 3.248197582180};

@@ -33,7 +33,7 @@ class ImpedanceEdge {
   const WedgeIncidence& incidence_;
   const MaliuzhinetsFunction& psi_;
   const LookVectors& look_;
-  WedgePoint source_;  // of face 0
+  WedgePoint source_;  // seen from face 0
   std::array<Side, 2> sides_;
 };
 

@@ -10,15 +10,14 @@ namespace raytube {
 namespace {
 
 constexpr Complex j(0.0, 1.0);
-constexpr double path_end = 20.0;  // e^{-20} is left there of the waves
-constexpr double least_missed = 1e-4;
-constexpr double on_grazing = 1e-6;  // of cos(g/2): as close to the edge's own face currents are taken that far off
 
+// Currents closer to those of the edge's own face, in cos(g/2), are taken that far off.
 double apart_from_grazing(double half_cosine) {
+  constexpr double on_grazing = 1e-6;
   return std::abs(half_cosine - 1.0) < on_grazing ? 1.0 - on_grazing : half_cosine;
 }
 
-// Of the pole's sin(a/2): it lies on the far side of the path, so that there is a guided wave beside the integral.
+// Takes the pole's sin(a/2): it lies on the far side of the path, so that there is a guided wave beside the integral.
 bool is_guided(Complex sine) { return sine.imag() > sine.real(); }
 
 // Only poles of inductive faces come close to the path.
@@ -35,7 +34,7 @@ double off_cone(const FaceIncidence& incidence, const dvec3& scattered) {
 // grazing.
 double guided_share(Complex pole) { return std::clamp((1.3 - std::abs(std::cos(pole))) / 0.1, 0.0, 1.0); }
 
-// Of e^{amid + x slope} over x from -1 to 1.
+// The integral of e^{amid + x slope} over x from -1 to 1.
 Complex mean_exponential(Complex amid, Complex slope) {
   const Complex square = slope * slope;
   if (std::norm(slope) < 1e-4) return std::exp(amid) * (1.0 + square / 6.0 * (1.0 + square / 20.0));
@@ -60,11 +59,12 @@ std::array<Complex, 2> StripEcho::over(const StripBundle& strips, double wavenum
 /// Materials of one frequency at both edges: the strip's face first.
 struct ImpedanceStrip::Ends {
   std::array<ImpedanceFace, 2> from, to;
-  FaceAngle leaving, arriving;  // of the strip's face, at either edge
+  FaceAngle leaving, arriving;  // those of the strip's face at either edge
   Complex at_source;
   std::array<Complex, 4> at_observer;  // faces_at in front and behind, of both faces of the far edge
 };
 
+// At the end of the path e^{-20} is left of the waves.
 ImpedanceStrip::ImpedanceStrip(const StripEdge& from, const StripEdge& to, const LookVectors& look, double electrical_length,
                                int nodes)
     : from_(from),
@@ -73,7 +73,7 @@ ImpedanceStrip::ImpedanceStrip(const StripEdge& from, const StripEdge& to, const
       cones_(from.incidence[0].sin_cone / to.incidence[0].sin_cone),
       source_(source_point(from.wedge.n, from.psi, from.incidence[from.face])),
       off_cone_(off_cone(to.incidence[to.face], look.scattered)),
-      end_(std::polar(std::sqrt(0.5 * path_end / electrical_length) / from.incidence[0].sin_cone, pi / 4)) {
+      end_(std::polar(std::sqrt(0.5 * 20.0 / electrical_length) / from.incidence[0].sin_cone, pi / 4)) {
   for (const int i : {0, 1}) {
     const int face = i == 0 ? to.face : 1 - to.face;
     const double half_cosine = grazing_half_cosine(to.wedge.faces[face], to.incidence[face], look.scattered);
@@ -155,7 +155,7 @@ void ImpedanceStrip::add(const Ends& ends, const Passing& wave, Complex weight, 
   sum.add({wave.growth, there});
 }
 
-// Of 2p / (s^2 - p^2) over s = sin(a/2), p the pole: the integral by a path on its far side, which has the guided wave in it as
+// The integral of 2p / (s^2 - p^2) over s = sin(a/2), p the pole, by a path on its far side, which has the guided wave in it as
 // far as that counts, less what the rule makes of it.
 Complex ImpedanceStrip::rule_error(Complex angle) const {
   const Complex pole = std::sin(0.5 * angle);
@@ -164,11 +164,11 @@ Complex ImpedanceStrip::rule_error(Complex angle) const {
   return is_guided(pole) ? error + 2.0 * pi * j * (1.0 - guided_share(angle)) : error;
 }
 
-// What the rule misses by a pole is a wave of the pole's own a.
+// What the rule misses by a pole is a wave of the pole's own a; below 1e-4 it does not count.
 void ImpedanceStrip::add_pole(const Ends& ends, Complex at, Complex leaving, Complex arriving, Complex residue,
                               StripEcho& sum) const {
   const Complex missed = rule_error(at);
-  if (std::abs(missed) > least_missed) add(ends, passing(at, leaving, arriving, residue / (2 * pi)), missed, sum);
+  if (std::abs(missed) > 1e-4) add(ends, passing(at, leaving, arriving, residue / (2 * pi)), missed, sum);
 }
 
 // Residues: P1(-a) = r(-a) P1(a) at the first edge and P2(a') = r(a') P2(-a') at the far one; of parallel edges both are one.

@@ -19,14 +19,14 @@ namespace raytube {
 
 inline constexpr int strip_nodes = 18;
 
-/// Of Maliuzhinets' function, as good as second order wants it.
+/// Digits of Maliuzhinets' function, as good as second order wants it.
 inline constexpr double strip_digits = 14.0;
 
 /// One of the edges, and its face that the strip runs over.
 struct StripEdge {
   const Wedge& wedge;
   int face;
-  std::array<FaceIncidence, 2> incidence;  // of the far edge all but the angle of the source
+  std::array<FaceIncidence, 2> incidence;  // for the far edge all but the angle of the source
   const MaliuzhinetsFunction& psi;
 };
 
@@ -62,7 +62,7 @@ class ImpedanceStrip {
     Complex growth;                      // by k l
     std::array<WedgePoint, 2> leaving;   // as the strip's face sees it, and the other one
     std::array<Complex, 2> sent;         // over the ratio of faces_at, by the first edge's faces
-    std::array<Complex, 2> met;          // the same of the far edge
+    std::array<Complex, 2> met;          // over the ratio of faces_at, by the far edge's faces
     Complex at_edge;                     // half of the field there, times faces_at of the source
     MaliuzhinetsPoint at_own, at_other;  // there, as at a source
     Complex leaving_sine, arriving_sine, arriving_cosine;
@@ -84,9 +84,9 @@ class ImpedanceStrip {
   const LookVectors& look_;
   double cones_;  // sines of the edges' cones, divided
   WedgePoint source_;
-  std::array<WedgeObserver, 2> observers_;  // of the far edge's faces: that of the strip, the other one
+  std::array<WedgeObserver, 2> observers_;  // on the far edge's faces: that of the strip, the other one
   double off_cone_;
-  Complex end_;  // of the path, sin(a/2)
+  Complex end_;  // sin(a/2) at the end of the path
   std::vector<Passing> path_;
   std::vector<std::array<Complex, 2>> points_;  // sin(a/2) and its step
 };

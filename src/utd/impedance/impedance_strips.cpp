@@ -14,7 +14,8 @@ FaceIncidence arriving_at(const WedgeFace& face, const dvec3& direction, double 
   return {.tangent = tangent, .cos_cone = glm::dot(direction, tangent), .sin_cone = sine};
 }
 
-constexpr double shortest = 0.3;  // electrical length of strips whose current is one of waves
+// The least electrical length of strips whose current is one of waves.
+constexpr double shortest = 0.3;
 
 // What a wave counts from whose reflection boundary lies along the strips: its pole is on the path of integration then. Less than
 // 1 within some distance of the path's points, an engineering bound as that of forward grazing (edge_currents.h). Strips that are
@@ -25,7 +26,7 @@ double boundary_window(const FaceIncidence& incidence, double electrical_length)
   return y * y / (y * y + width * width / x) * x * x / (x * x + shortest * shortest);
 }
 
-// Of the path of integration: the next power of 2, so that a row of a sweep is what it is alone.
+// The length that the path of integration is laid for: the next power of 2, so that a row of a sweep is what it is alone.
 double step_of_length(double electrical_length) {
   return std::exp2(std::round(std::log2(std::max(electrical_length, shortest))));
 }

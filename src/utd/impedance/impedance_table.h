@@ -18,7 +18,7 @@ class ImpedanceTable {
  public:
   ImpedanceTable(std::span<const Material> materials, std::span<const double> frequencies);
 
-  /// Of an edge of such materials, beside one that is no conductor.
+  /// The entry of an edge of such materials, beside one that is no conductor.
   bool known(const Wedge& wedge) const;
 
   /// What the border face of a thin plate does to a wave that meets it at this cosine, at frequency number `frequency`; a
@@ -29,7 +29,7 @@ class ImpedanceTable {
     return wedge.border_material != no_index && materials_[wedge.border_material].kind == MaterialKind::coated;
   }
 
-  /// Of the faces of an opaque wedge, at frequency number `frequency`.
+  /// The impedances of the faces of an opaque wedge, at frequency number `frequency`.
   std::array<SurfaceImpedance, 2> at(const Wedge& wedge, std::size_t frequency) const;
 
  private:

@@ -10,21 +10,17 @@ namespace raytube {
 namespace {
 
 // At phi' = 0 and n pi factors of conductors vanish, and so does what they divide: half of the digits are left.
-constexpr double off_face = 1e-7;
-
-// Smaller ones make no difference: theta would be further away than psi is for.
-constexpr double smallest_impedance = 1e-11;
-
 double clamped_source(double n, const FaceIncidence& incidence) {
-  return std::clamp(incidence.source_angle, off_face, n * pi - off_face);
+  return std::clamp(incidence.source_angle, lit_threshold, n * pi - lit_threshold);
 }
 
 }  // namespace
 
 // Obliquely met, with k sin(beta') for k, E = Z eta H of the tangential fields becomes Z / sin(beta') for E along the edge and
 // Z sin(beta') for H along it, where what couples the two is left out.
+// Impedances below 1e-11 make no difference: theta would be further away than psi is for.
 FaceAngle face_angle(EdgeField field, Complex impedance, double sin_cone) {
-  if (std::abs(impedance) < smallest_impedance) return {{}, true};
+  if (std::abs(impedance) < 1e-11) return {{}, true};
   return {std::asin(field == EdgeField::soft ? sin_cone / impedance : impedance * sin_cone), false};
 }
 

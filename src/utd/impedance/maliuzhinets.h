@@ -12,7 +12,7 @@ namespace raytube {
 struct MaliuzhinetsPoint {
   Complex at;                  // w
   std::vector<Complex> turns;  // cos((w - pi/2) / n) at w, w - pi ... as far as Re w > pi/2
-  Complex square;              // of what is left of w, as the integrand's value at 0 has it
+  Complex square;              // square of what is left of w, as the integrand's value at 0 has it
   std::vector<Complex> waves;  // cosh(ws) of that, at the nodes
 };
 
@@ -34,7 +34,7 @@ class MaliuzhinetsFunction {
   std::vector<Complex> waves(Complex z) const;
 
   double n_, step_, at_zero_;    // at_zero: of z^2 in the sum
-  std::vector<double> weights_;  // of cosh zs - 1 at the multiples of the step
+  std::vector<double> weights_;  // weights of cosh zs - 1 at the multiples of the step
   double right_angle_;           // the exponent of psi(pi/2)
 };
 
@@ -53,7 +53,7 @@ class MaliuzhinetsPair {
   Complex constant_, turn_;
 };
 
-/// Of all wedges that are asked for.
+/// The functions of all wedges that are asked for.
 class MaliuzhinetsFunctions {
  public:
   explicit MaliuzhinetsFunctions(double digits) : digits_(digits) {}

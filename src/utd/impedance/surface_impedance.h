@@ -5,11 +5,11 @@
 
 namespace raytube {
 
-/// Of one face at one frequency, over eta: of E across the plane of incidence (soft at an edge met at a right angle) and of E in
-/// it (hard). A perfect conductor has 0.
+/// The impedance of one face at one frequency, over eta: for E across the plane of incidence (soft at an edge met at a right
+/// angle) and of E in it (hard). A perfect conductor has 0.
 struct SurfaceImpedance {
   Complex soft, hard;
-  double depth = 0.0;  // of the plane where it holds, below the face of the mesh [m]
+  double depth = 0.0;  // depth of the plane where it holds, below the face of the mesh [m]
 };
 
 /// From the reflection of a material that lets nothing through, Z = (1 + r) / (s (1 - r)) for E across and s (1 - r) / (1 + r)

@@ -3,19 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
 
 namespace {
 
-// All rays about an edge meet a plane alike where the sine between the edge and the plane's normal is smaller (as in
-// RayFanTracer).
-constexpr double parallel_edge = 1e-9;
-// A cone that misses a plane by so small a share of its width is tangent to it, along one ray.
-constexpr double tangency = 1e-13;
-// Cuts closer than this are one [rad]: those of such a ray are up to the root of twice `tangency` apart.
+// Cuts closer than this are one [rad]: those of a ray along which a cone is tangent to a plane are up to 5e-7 apart.
 constexpr double same_azimuth = 1e-6;
-// Panels are no wider, so that a Gauss rule sees whatever waves do between cuts [rad].
-constexpr double widest_panel = 0.4;
 
 class CutFinder {
  public:
@@ -41,9 +36,10 @@ class CutFinder {
   }
 
  private:
+  // Panels are no wider than 0.4 rad, so that a Gauss rule sees whatever waves do between cuts.
   static void subdivide(std::vector<double>& cuts, double to) {
     const double from = cuts.back();
-    const int parts = static_cast<int>(std::ceil((to - from) / widest_panel));
+    const int parts = static_cast<int>(std::ceil((to - from) / 0.4));
     for (int i = 1; i < parts; ++i) cuts.push_back(from + (to - from) * i / parts);
     cuts.push_back(to);
   }
@@ -76,7 +72,8 @@ class CutFinder {
     const double x = glm::dot(normal, face.into_face), y = glm::dot(normal, face.normal);
     const double along = -glm::dot(normal, source_.edge->tangent) * source_.incidence.cos_cone;
     const double across = source_.incidence.sin_cone * std::hypot(x, y);
-    if (across < parallel_edge || std::abs(along) > across * (1.0 + tangency))
+    // A cone that misses a plane by a share of 1e-13 of its width is tangent to it, along one ray.
+    if (across < rounding_guard || std::abs(along) > across * (1.0 + 1e-13))
       return;  // at none, or at every azimuth: an upright plane
     const double middle = std::atan2(y, x), aside = std::acos(std::clamp(along / across, -1.0, 1.0));
     for (double azimuth : {middle - aside, middle + aside}) {

@@ -5,14 +5,6 @@
 
 namespace raytube {
 
-namespace {
-
-// Of a panel's width: strips that vanish so little beyond its end have their root there, as far as a rule can tell. Two cuts may
-// lie this close: where a strip ends almost in a corner.
-constexpr double beside_root = 0.05;
-
-}  // namespace
-
 void EdgePanels::lay(const WaveTree& tree, std::span<const LitInterval> lit, double length) {
   points_.clear();
   panels_.clear();
@@ -46,9 +38,11 @@ void EdgePanels::fill(const WaveTree& tree, double begin, double end) {
   }
 }
 
+// Strips that vanish within a twentieth of a panel's width beyond its end have their root there, as far as a rule can tell: two
+// cuts may lie this close where a strip ends almost in a corner.
 Panel EdgePanels::panel(const WaveTree& tree, double from, double to) const {
   Panel result{from, to};
-  const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + beside_root * (to - from);
+  const double middle = (from + to) / 2, rounding = tree.rounding(), beside = rounding + 0.05 * (to - from);
   for (const StripBundle& bundle : tree.bundles()) {
     if (bundle.from > middle || bundle.to < middle) continue;
     result.path_rate = std::max({result.path_rate, std::abs(bundle.start_path.growth), std::abs(bundle.end_path.growth)});

@@ -10,9 +10,6 @@ namespace raytube {
 
 namespace {
 
-// [rad] Above the limit for "exactly along an edge", and small enough for its own square not to count.
-constexpr double small_turn = 10 * along_edge;
-
 std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
   std::vector<double> result;
   for (const double frequency : frequencies) result.push_back(wavenumber(frequency));
@@ -109,10 +106,12 @@ void MultipleDiffraction::lay_out_tree(const StripWave& wave, std::span<const Li
 }
 
 // A wave that runs exactly along an edge at the side of a face meets it over its whole length, and yet its strips never end
-// there. Turned a little to either side they do; the limit of a vanishing turn is finite, and half of each counts.
+// there. Turned a little to either side they do, above the limit for
+// "exactly along an edge", by an angle [rad] that is small enough for its own square not to count; the limit of a vanishing turn
+// is finite, and half of each counts.
 void MultipleDiffraction::start_beside(const StripWave& wave, std::span<const LitInterval> lit) {
   const dvec3 aside = glm::cross(scene_.wedges[wave.wedge].faces[wave.face].normal, wave.direction);
-  for (const double turn : {-small_turn, small_turn}) {
+  for (const double turn : {-10 * along_edge, 10 * along_edge}) {
     StripWave turned = wave;
     turned.direction = glm::normalize(wave.direction + turn * aside);
     lay_out_tree(turned, lit);

@@ -81,8 +81,8 @@ class MultipleDiffraction {
   StripBins bins_;
   PathBins answer_;  // to a unit wave that arrives at an edge
   std::vector<ScatteringMatrix> answers_;
-  StripLayout strips_;  // of the present tree
-  CurvedWaves curved_;  // of the present tree
+  StripLayout strips_;  // those of the present tree
+  CurvedWaves curved_;  // those of the present tree
   StripRadiation radiation_;
   StripSums sums_;
   std::vector<SurfaceRay>* rays_ = nullptr;

@@ -12,8 +12,8 @@ namespace raytube {
 /// where light comes from, perhaps over mirrors, and of one frequency.
 struct StripPieces {
   PathPlace place;
-  std::vector<dvec3> places{};      // of single bins, one after the other [m]
-  std::vector<ImageEdge> curved{};  // of strips over curved faces
+  std::vector<dvec3> places{};      // where single bins are, one after the other [m]
+  std::vector<ImageEdge> curved{};  // pieces of strips over curved faces
 };
 
 /// By how much the paths of waves may differ that are one piece [m].
@@ -45,7 +45,7 @@ struct StripGroup {
 /// Keeps its buffers from one tree to the next.
 class StripGroups {
  public:
-  /// Of the first `waves` waves of a tree.
+  /// The groups of the first `waves` waves of a tree.
   void find(const StripLayout& strips, std::size_t waves, StripBins& bins);
 
   std::span<const StripGroup> of(std::size_t wave) const {
@@ -73,7 +73,7 @@ class StripGroups {
   std::vector<StripRow> rows_;
   std::vector<StripGroup> groups_;
   std::vector<std::size_t> first_;  // group of each wave, and their number
-  // Of pieces: the bins of the starts of first strips, by point, and of the ends of all, where others start.
+  // What has pieces: the bins of the starts of first strips, by point, and of the ends of all, where others start.
   std::vector<std::size_t> starts_, ends_;
 };
 

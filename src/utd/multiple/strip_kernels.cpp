@@ -4,16 +4,11 @@
 #include <cmath>
 
 #include "math/erfc_ray.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-// Source in the plane of the face: phi' keeps to its own side of pi by at least the lit threshold.
-constexpr double closest_to_plane = lit_threshold;
-// The soft current is singular at its edge, as 1/r; a strip without length starts and ends there.
-constexpr double shortest_root = 1e-9;
-constexpr double local_end = 40.0;  // X beyond which the local part lacks less than rounding
 
 void add_scaled(Complexes& sum, double factor, const Complexes& values) {
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -68,8 +63,9 @@ Strip::Term Strip::term(double n, double source, int sign) {
 }
 
 Strip::Strip(double n, FaceIncidence incidence, double half_cosine) : half_cosine_(std::max(half_cosine, half_cosine_floor)) {
+  // The angle of a source in the plane of the face keeps to its own side of pi by the lit threshold.
   double& source = incidence.source_angle;
-  source = incidence.lit ? std::min(source, pi - closest_to_plane) : std::max(source, pi + closest_to_plane);
+  source = incidence.lit ? std::min(source, pi - lit_threshold) : std::max(source, pi + lit_threshold);
   has_local_part_ = n != 2.0;
   if (source == 0.0 || source == n * pi) {
     set_grazing(n, source == 0.0);
@@ -119,8 +115,8 @@ void Strip::start_parts(std::span<const double> lengths, KernelBatch& batch) con
     Complexes soft{}, hard{}, axial{};
     Reals length{}, reached{};
     const std::size_t width = std::min(lanes, lengths.size() - first);
-    for (std::size_t i = 0; i < width; ++i) length[i] = std::min(lengths[first + i], local_end);
-    const bool some_left = has_local_part_ && std::ranges::min(std::span(length.value, width)) < local_end;
+    for (std::size_t i = 0; i < width; ++i) length[i] = std::min(lengths[first + i], whole_length);
+    const bool some_left = has_local_part_ && std::ranges::min(std::span(length.value, width)) < whole_length;
     if (some_left) reached = one_minus_exp(length);
     for (std::size_t i = 0; i < lanes; ++i) {
       const double left = some_left ? 1.0 - reached[i] : 0.0;
@@ -184,11 +180,11 @@ struct Strip::Sums {
   }
 };
 
-// 2j D / r, for the end of the soft current.
+// 2j D / r, for the end of the soft current. That is singular at its edge, as 1/r, where a strip without length starts and ends.
 Complexes Strip::soft_phase(const Observer& at) {
   Complexes result;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double scale = 2 / (at.root[i] > shortest_root ? at.root[i] : shortest_root);
+    const double scale = 2 / (at.root[i] > rounding_guard ? at.root[i] : rounding_guard);
     result.re[i] = -scale * at.decay.im[i];
     result.im[i] = scale * at.decay.re[i];
   }
@@ -219,7 +215,7 @@ void Strip::add(const Term& t, const Observer& at, Sums& sum) const {
   add_scaled(sum.soft_end, t.strength * t.slope, slope_of_erfc(boundary, there));
 }
 
-// Of the local part, which lives within xi < 1 of the edge, what a strip of this length has.
+// Adds what a strip of this length has of the local part, which lives within xi < 1 of the edge.
 void Strip::add_local(const Reals& length, Sums& sum) const {
   const Reals reached = one_minus_exp(length);
   for (std::size_t i = 0; i < lanes; ++i) {

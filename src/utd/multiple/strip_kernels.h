@@ -19,6 +19,9 @@ namespace raytube {
 /// h.
 inline constexpr double half_cosine_floor = 2e-5;
 
+/// The electrical length from which on 1 - e^{-x} is 1 to the bit.
+inline constexpr double whole_length = 40.0;
+
 /// One strip: integrals over the fringe current for unit E or eta H along the edge, as FringeKernels are for an untruncated one,
 /// and half the fringe current at the end, with the phase of what radiates from there: H_fr(X) e^{jX mu} / 2 of the hard current
 /// and, over cos(beta'), the part of the soft one that flows along the strip.

@@ -7,20 +7,17 @@ namespace raytube {
 
 namespace {
 
-// Strips shorter than 1e-8 / k, of which rounding has left nothing, are a tip that passes no soft current on; where a wave of the
-// tree runs along an edge, with a sine below `alongside`, so are those of up to this electrical length.
-constexpr double shortest_tip = 1e-8, longest_tip = 1.0 / 30, alongside = 0.1;
-constexpr double same_length = 1e-13;  // relative; strips between parallel edges share their kernels
-
 // The soft current is singular at its edge: a strip next to a corner, hardly longer than nothing, hands on the more the shorter
 // it is: beside a corner that is integrable, but where rounding leaves a strip no length at all it knew no bound. What starts
-// there lies the closer to the next edge the smaller its sine delta, and S grew as 1 / root(delta). A tip grows from the shortest
-// one at delta = `alongside`, so that nothing jumps.
-double tip_of(const WaveTree& tree) {
+// there lies the closer to the next edge the smaller its sine delta, and S grew as 1 / root(delta). So strips shorter than 1e-8 /
+// k, of which rounding has left nothing, pass no soft current on, and where a wave of the tree runs along an edge, delta below
+// 0.1, those up to 1 / (30 k) pass less on; that length grows from the shorter one at delta = 0.1, so that nothing jumps.
+double fading_length_of(const WaveTree& tree) {
+  constexpr double alongside = 0.1;
   double sine = alongside;
   for (const TreeWave& wave : tree.waves().subspan(1)) sine = std::min(sine, wave.wave.incidence.sin_cone);
   const double cone = tree.waves()[0].wave.incidence.sin_cone;
-  return std::max(shortest_tip * cone * cone, longest_tip * (1 - sine / alongside) * (1 - sine / alongside));
+  return std::max(1e-8 * cone * cone, 1.0 / 30 * (1 - sine / alongside) * (1 - sine / alongside));
 }
 
 void find_faces(const StripScene& scene, StripLayout& strips) {
@@ -35,9 +32,10 @@ void find_faces(const StripScene& scene, StripLayout& strips) {
   }
 }
 
+// Strips between edges that are parallel to 1e-13 of their length share their kernels.
 bool are_alike(const TreeWave& wave, const StripBundle& bundle) {
   const double growth = std::max({std::abs(bundle.growth), std::abs(wave.behind.growth), std::abs(wave.detour.growth)});
-  return !bundle.edge || growth * (bundle.to - bundle.from) < same_length * bundle.length_at(bundle.from);
+  return !bundle.edge || growth * (bundle.to - bundle.from) < 1e-13 * bundle.length_at(bundle.from);
 }
 
 // Amplitudes of the first strips are those of the points; of those that follow they are what arrived with the bundle before.
@@ -115,7 +113,7 @@ IncidentFields incident_fields(const StripScene& scene, const StripWave& first) 
 }
 
 void lay_out(const StripScene& scene, const StripWave& wave, StripLayout& strips) {
-  strips.tip = tip_of(strips.tree);
+  strips.fading_length = fading_length_of(strips.tree);
   find_faces(scene, strips);
   lay_out_rows(strips);
   strips.incident = incident_fields(scene, wave);

@@ -46,7 +46,7 @@ struct StripRow {
 struct IncidentFields {
   std::array<double, 2> magnetic;  // eta H along the edge
   std::array<double, 2> electric;  // E along the edge
-  std::array<double, 2> lying;     // of E along the edge, what the soft current's component along the strips takes
+  std::array<double, 2> lying;     // part of E along the edge that the soft current's component along the strips takes
 };
 
 /// The pole that semi-infinite strips have in forward grazing, kept finite by a window.
@@ -61,19 +61,19 @@ struct ForwardPole {
 struct StripLayout {
   WaveTree tree;
   EdgePanels panels;
-  std::vector<WaveFace> faces{};  // of each wave
-  std::vector<StripRow> rows{};   // of each bundle
+  std::vector<WaveFace> faces{};  // [wave]
+  std::vector<StripRow> rows{};   // [bundle]
   std::size_t arriving = 0;       // amplitudes at the ends of all strips
   IncidentFields incident{};
   std::optional<ForwardPole> forward_pole{};  // of the first wave, if some of its strips are semi-infinite and near that pole
-  double tip = 0.0;                           // electrical length below which strips pass less soft current on
+  double fading_length = 0.0;                 // electrical length below which strips pass less soft current on
 
   std::span<const StripRow> rows_of(const TreeWave& wave) const {
     return std::span(rows).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);
   }
 };
 
-/// Of the wave that the incident wave starts on a face.
+/// The fields of the wave that the incident wave starts on a face.
 IncidentFields incident_fields(const StripScene& scene, const StripWave& first);
 
 /// S of a face for unit kernels of a wave.

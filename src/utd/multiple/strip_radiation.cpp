@@ -112,7 +112,7 @@ void pass_on_direct(const WaveKernels& here, const IncidentFields& incident, dou
   }
 }
 
-// In the product of field and length of edge the sine between strip and edge cancels: H dz = -(current) dz_before / 2.
+// The sine between strip and edge cancels in the product of field and length of edge: H dz = -(current) dz_before / 2.
 void pass_on_arriving(const WaveKernels& here, std::array<ComplexColumn, 2>& arriving) {
   for (const StripRow& row : here.rows) {
     if (row.size == 0) continue;

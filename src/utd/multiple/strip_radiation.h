@@ -42,8 +42,8 @@ class StripRadiation {
 
   StripGroups groups_;
   StripWaveKernels finder_;
-  WaveKernelBatch kernels_;                        // of a wave at a block of wavenumbers
-  std::array<StripAmplitudes, block> amplitudes_;  // of all waves there
+  WaveKernelBatch kernels_;                        // those of a wave at a block of wavenumbers
+  std::array<StripAmplitudes, block> amplitudes_;  // those of all waves at that block
 };
 
 }  // namespace raytube

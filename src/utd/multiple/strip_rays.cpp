@@ -8,8 +8,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double least_width = 1e-3;  // of that at the edge: at a caustic there is none
-
 SurfaceRayPoint point_at(const StripNode& node, const StripPath& path, double k) {
   const double xi = std::cbrt(k) * node.bend, width = node.area * node.area;
   const double root = std::sqrt(2 * k) * path.wave.incidence.sin_cone * node.root;
@@ -17,7 +15,8 @@ SurfaceRayPoint point_at(const StripNode& node, const StripPath& path, double k)
   roots[0] = root;
   const Strip::Currents currents = path.strip.currents(roots);
   const EdgeFactors factors = edge_factors(xi);
-  const double spread = 2.0 / std::sqrt(std::max(width, least_width));
+  // A strip is a thousandth as wide as at its edge at least: at a caustic it has no width.
+  const double spread = 2.0 / std::sqrt(std::max(width, 1e-3));
   const double hard = spread * std::abs(factors.hard * currents.hard[0]);
   const double soft = root > 0.0 ? spread * std::abs(factors.soft * currents.soft[0]) / root : 0.0;
   return {node.position, node.root * node.root, xi, width, hard, soft};

@@ -8,7 +8,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double far_from_tip = 40.0;  // in lengths of it: 1 - e^{-x} is 1 to the bit
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex factor) {
@@ -39,13 +38,13 @@ void count_thickness(const WaveFace& face, std::span<const double> wavenumbers, 
   }
 }
 
-// The soft current that strips hardly longer than a tip pass on.
-void fade_soft_ends(double tip, std::span<const double> lengths, KernelBatch& kernels) {
+// Fades the soft current that strips hardly longer than `fading_length` pass on.
+void fade_soft_ends(double fading_length, std::span<const double> lengths, KernelBatch& kernels) {
   for (std::size_t first = 0; first < lengths.size(); first += lanes) {
     Reals length{};
     const std::size_t width = std::min(lanes, lengths.size() - first);
-    if (std::ranges::min(lengths.subspan(first, width)) > far_from_tip * tip) continue;
-    for (std::size_t i = 0; i < width; ++i) length[i] = lengths[first + i] / tip;
+    if (std::ranges::min(lengths.subspan(first, width)) > whole_length * fading_length) continue;
+    for (std::size_t i = 0; i < width; ++i) length[i] = lengths[first + i] / fading_length;
     const Reals share = one_minus_exp(length);
     for (std::size_t i = 0; i < width; ++i) multiply(kernels.soft_end, first + i, share[i]);
   }
@@ -63,7 +62,7 @@ void StripWaveKernels::find(const StripLayout& strips, std::size_t wave, std::sp
   face.strip.at(lengths_, whole);
   if (wave == 0 && strips.forward_pole) bound_untruncated(*strips.forward_pole, face.kernels, wavenumbers, lengths_, whole);
   if (face.thin) count_thickness(face, wavenumbers, lengths_, whole);
-  if (here.direct) fade_soft_ends(strips.tip, lengths_, whole);
+  if (here.direct) fade_soft_ends(strips.fading_length, lengths_, whole);
   if (in_parts) find_parts(face, wavenumbers, kernels);
   if (here.wave.mirrors > 0) keep_mirrored_part(face, wavenumbers, in_parts, kernels);
 }

@@ -28,7 +28,7 @@ class StripWaveKernels {
   void keep_mirrored_part(const WaveFace& face, std::span<const double> wavenumbers, bool in_parts, WaveKernelBatch& kernels);
   void turn(KernelBatch& kernels) const;
 
-  // Of each kernel:
+  // For each kernel:
   std::vector<double> lengths_;  // X
   std::vector<double> behind_;   // X at the start of a mirrored strip
   std::vector<double> detours_;  // and the phase of the image of its source

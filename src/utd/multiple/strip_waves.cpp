@@ -4,17 +4,11 @@
 
 #include "core/angle.h"
 #include "math/smooth_step.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double half_plane = 2.0 - 1e-9;  // n of an edge that a wave along its faces meets over both at once
-constexpr double flattest_link = 1.02;     // n of an edge that is next to no edge at all
-// An image in a face that stands by an angle off the right one is turned by twice that: over strips of ten wavelengths it goes
-// out of phase by a tenth of a radian at 0.05 degrees, and by a whole one at half a degree. In between images fade.
-constexpr double whole_image = 0.05 * degree, no_image = 0.5 * degree;
-constexpr int most_mirrors = 2;  // where three faces meet; between parallel walls there is no end of them
 
 // The arriving strip as a wave that grazes one face of the next wedge: its own (phi' = 0) or the other one (phi' = n pi).
 FaceIncidence grazing_incidence(const Wedge& wedge, int face, bool own, const dvec3& direction, double sine) {
@@ -49,11 +43,13 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
                                                      const OutlineEdge& edge) {
   if (edge.wedge == no_index) return std::nullopt;
   const Wedge& next = wedges[edge.wedge];
-  const bool anew = wave.lights_far_edges && next.n < half_plane;
+  // A half plane is met over both of its faces at once.
+  const bool anew = wave.lights_far_edges && next.n < 2.0 - rounding_guard;
   const int left = anew ? wave.strips_left : wave.strips_left - 1;
   if (left == 0) return std::nullopt;
   const double sine = -glm::dot(wave.direction, edge.into_face);
-  if (next.n < flattest_link || sine < along_edge) return std::nullopt;
+  // An edge of n below 1.02 is next to none.
+  if (next.n < 1.02 || sine < along_edge) return std::nullopt;
   const auto beyond = [&](int face, bool own, double sign) {
     const FaceIncidence incidence = grazing_incidence(next, face, own, wave.direction, sine);
     const WedgeFace& lit = next.faces[face];
@@ -64,10 +60,13 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
   return std::array{beyond(edge.wedge_face, true, -wave.sign), beyond(1 - edge.wedge_face, false, wave.sign)};
 }
 
+// Two mirrors are those where three faces meet; between parallel walls there would be no end of them.
 std::optional<StripWave> mirrored_wave(std::span<const Wedge> wedges, const StripWave& wave, const OutlineEdge& edge) {
-  if (edge.wedge == no_index || !wedges[edge.wedge].conducting() || wave.mirrors == most_mirrors) return std::nullopt;
+  if (edge.wedge == no_index || !wedges[edge.wedge].conducting() || wave.mirrors == 2) return std::nullopt;
+  // An image in a face that stands by an angle off the right one is turned by twice that: over strips of ten wavelengths it goes
+  // out of phase by a tenth of a radian at 0.05 degrees, and by a whole one at half a degree. In between images fade.
   const double off = std::abs(wedges[edge.wedge].n - 0.5) * pi;
-  const double share = smooth_step((no_image - off) / (no_image - whole_image));
+  const double share = smooth_step((0.5 * degree - off) / (0.5 * degree - 0.05 * degree));
   if (share == 0.0) return std::nullopt;
   if (-glm::dot(wave.direction, edge.into_face) < along_edge) return std::nullopt;
   StripWave result = wave;

@@ -8,8 +8,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double pole_distance = 1e-6;  // cos phi + cos phi' nearer to 0 is evaluated here: the change is of the same size
-
 /// F(phi) for one direction, F(phi) F(phi') for the sums of cosines and of phi sin phi.
 Complex split_function(double kappa, double cosine, double turn) {
   const double logarithm = 1 - std::numbers::egamma - std::log(kappa);
@@ -34,6 +32,8 @@ ThinPlateCorrection::ThinPlateCorrection(const Wedge& wedge, int face, const Fac
   source_cosine_ = -std::cos(source);
   source_sine_ = direct ? std::sin(source) : 0.0;
   source_turn_ = (pi - source) * source_sine_;
+  // Where cos phi + cos phi' is nearer to 0 it is evaluated at this distance: the change is of the same size.
+  constexpr double pole_distance = 1e-6;
   double pole = 2 * half_cosine_ * half_cosine_ - 1 + source_cosine_;
   if (std::abs(pole) < pole_distance) {
     pole = std::copysign(pole_distance, source_cosine_);

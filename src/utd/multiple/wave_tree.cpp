@@ -3,21 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/wedge/rounding_guard.h"
 #include "utd/wedge/work.h"
 
 namespace raytube {
-
-namespace {
-
-constexpr double same_point = 1e-9;  // of the edge's length
-
-}  // namespace
 
 void WaveTree::grow(const StripWave& wave, std::span<const LitInterval> lit) {
   const Wedge& wedge = wedges_[wave.wedge];
   const double length = wedge.length();
   const dvec3 step = (wedge.end - wedge.start) / length;
-  rounding_ = same_point * length;
+  rounding_ = rounding_guard * length;
   runs_along_edge_ = false;
   work_ = 0.0;
   waves_.clear();

@@ -41,7 +41,7 @@ struct TreeWave {
   std::uint32_t parent = no_index;                 // the bundle whose strips end there; none for the first wave
   std::uint32_t first_bundle = 0, end_bundle = 0;  // its own
 
-  // Of mirrored strips: how far their current has come, and how much the path over the image of its source, from which they run
+  // For mirrored strips: how far their current has come, and how much the path over the image of its source, from which they run
   // straight, exceeds that over the source itself [m].
   Linear behind{}, detour{};
   bool direct = false;  // the current is that of the first wave

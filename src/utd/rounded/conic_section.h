@@ -19,16 +19,16 @@ struct ConicSection {
   dvec2 at(double theta) const;
 
   double interior_angle() const { return pi - 2 * end; }
-  /// Of the virtual apex, where the tangents meet, from the nose [m].
+  /// The distance of the virtual apex, where the tangents meet, from the nose [m].
   double apex() const;
-  /// Of the tangent points from there [m].
+  /// The distance of the tangent points from the virtual apex [m].
   double tangent_distance() const { return at(end).y / std::cos(end); }
 };
 
 /// The arc of an edge.
 inline ConicSection arc_of(double radius, double interior_angle) { return {radius, 0.0, (pi - interior_angle) / 2}; }
 
-/// In the coordinates of section_modes().
+/// The section in the coordinates of section_modes().
 Section section_of(const ConicSection& conic, double wavenumber);
 
 }  // namespace raytube

@@ -10,6 +10,7 @@ namespace raytube {
 
 namespace {
 
+// Nodes of the table: k rho from edge_radius down, each by this ratio, and e from least_flattening on in such steps.
 constexpr int radii = 12, flattenings = 25;
 constexpr double ratio = 1.6, flattening_step = 0.05;
 
@@ -47,11 +48,11 @@ class Nodes {
 
 struct Between {
   int first;
-  double share;  // of the next
+  double weight;  // of the node after `first`
   Between(double place, int count) {
     const double inside = std::clamp(place, 0.0, count - 1.0);
     first = std::min(static_cast<int>(inside), count - 2);
-    share = inside - first;
+    weight = inside - first;
   }
 };
 
@@ -64,8 +65,8 @@ std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening
   std::array<NosePlace, 4> places{};
   for (int n = 0; n < 4; ++n) {
     const int i = n / 2, j = n % 2;
-    const double share = (i == 0 ? 1 - radius.share : radius.share) * (j == 0 ? 1 - shape.share : shape.share);
-    places[n] = {share > 0.0 ? nodes.at(radius.first + i, shape.first + j) : nullptr, share};
+    const double weight = (i == 0 ? 1 - radius.weight : radius.weight) * (j == 0 ? 1 - shape.weight : shape.weight);
+    places[n] = {weight > 0.0 ? nodes.at(radius.first + i, shape.first + j) : nullptr, weight};
   }
   return places;
 }

@@ -16,11 +16,11 @@ struct NoseNode {
   RoundedWedge modes;
 };
 
-/// Nodes in ln(k rho) and e around what is asked, with their shares; what they make of a wave is
+/// Nodes in ln(k rho) and e around what is asked, with their weights; what they make of a wave is
 /// interpolated, not they.
 struct NosePlace {
   const NoseNode* node;  // none: nothing is rounded any more
-  double share;
+  double weight;
 };
 
 std::array<NosePlace, 4> nose_places(double wavenumber_radius, double flattening);

@@ -12,9 +12,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double piece_length = 1.0 / 20;  // of the wavelength
-constexpr double least_agreement = 0.5;    // of the directions of noses that have a mean: its length, of unit ones
-
 // The wedge between the tangents; its virtual apex is the origin.
 Wedge wedge_of(const Nose& nose, const ConicSection& section, double scale) {
   const dvec3 across = glm::cross(nose.along, nose.outwards);
@@ -43,12 +40,12 @@ ScatteringMatrix nose_amplitude(const Nose& nose, const LookVectors& look, doubl
   for (const NosePlace& place : nose_places(radius, nose.flattening)) {
     if (place.node == nullptr) continue;
     ScatteringMatrix s = amplitude_of(nose, *place.node, look, wavenumber, across);
-    sum += s *= place.share;
+    sum += s *= place.weight;
   }
   return sum;
 }
 
-// Of bends that are too round for an edge at this wavenumber there is no section to share among their facets, though a facet may
+// Bends that are too round for an edge at this wavenumber have no section to share among their facets, though a facet may
 // be sharp enough by itself: lower frequencies of the sweep have found them. A facet whose normals turn against its section is
 // no part of a bend, and would take its place in a mean the wrong way round.
 bool is_edge(const Nose& nose, double wavenumber) {
@@ -59,8 +56,9 @@ bool is_edge(const Nose& nose, double wavenumber) {
 
 double longest_nose(double frequency) { return wavelength(sampled_band(frequency).highest) / 4; }
 
+// Pieces are a twentieth of the wavelength long. Directions of unit length whose mean is shorter than a half have no mean.
 std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber) {
-  const double cell = piece_length * 2 * pi / wavenumber;
+  const double cell = 1.0 / 20 * 2 * pi / wavenumber;
   std::map<std::array<long, 6>, RimPiece> cells;
   for (const Nose& nose : noses) {
     if (!is_edge(nose, wavenumber)) continue;
@@ -81,7 +79,7 @@ std::vector<RimPiece> rim_pieces(std::span<const Nose> noses, double wavenumber)
   for (auto& [key, piece] : cells) {
     if (piece.length <= 0.0) continue;
     Nose& nose = piece.nose;
-    const double most = glm::length(nose.outwards), least = least_agreement * piece.length;
+    const double most = glm::length(nose.outwards), least = 0.5 * piece.length;
     if (!(most > least)) continue;
     nose.position /= piece.length;
     nose.outwards /= most;

@@ -5,12 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
 
 namespace {
-
-constexpr double parallel = 1e-12;  // sine between two edges that never cross
-constexpr double in_plane = 1e-3;   // sine between the direction and a face on either side of which it may lie
 
 double cross(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -22,10 +21,11 @@ std::array<dvec3, 2> axes_across(const dvec3& direction) {
 }
 
 // A line grazes a wedge if it runs through free space on both sides of the edge: if one of the faces is turned towards it and the
-// other one away. A shadow never ends at a concave edge.
+// other one away. A shadow never ends at a concave edge. A direction within 1e-3 of a face's plane may lie on
+// either side of it.
 bool on_silhouette(const Wedge& wedge, const dvec3& direction) {
   const double first = glm::dot(wedge.faces[0].normal, direction), second = glm::dot(wedge.faces[1].normal, direction);
-  return wedge.convex() && std::min(first, second) < in_plane && std::max(first, second) > -in_plane;
+  return wedge.convex() && std::min(first, second) < 1e-3 && std::max(first, second) > -1e-3;
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ void Crossings::find(std::uint32_t index, std::vector<double>& fractions) const 
       const double area = cross(own.along, other.along), size = std::abs(area);
       const double here = std::copysign(1.0, area) * cross(offset, other.along),
                    there = std::copysign(1.0, area) * cross(offset, own.along);  // times the area
-      if (here <= 0.0 || here >= size || there < 0.0 || there > size || size <= parallel * own.length * other.length) continue;
+      if (here <= 0.0 || here >= size || there < 0.0 || there > size || size <= tie_guard * own.length * other.length) continue;
       const double own_depth = own.start_depth + here / size * own.depth_change;
       if (other.start_depth + there / size * other.depth_change > own_depth) fractions.push_back(here / size);
     }

@@ -6,28 +6,22 @@
 #include <numeric>
 
 #include "utd/shadow/triangle_shadow.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
 
-constexpr int min_points = 8;
-constexpr int max_points = 128;
-constexpr double clip_tolerance = 1e-13;  // fraction of the wedge's length
-constexpr double single_blocker = 1e-5;   // fraction of it; about where single precision stops telling blockers apart
-// Test points between crossings: not half-way, where symmetric bodies have the seams of their triangles.
-constexpr double beside_middle = std::numbers::sqrt2 - 1;
+// Lit parts end within this fraction of the wedge's length.
+constexpr double clip_tolerance = 1e-13;
+// The fraction of the wedge's length at about which single precision stops telling blockers apart.
+constexpr double single_blocker = 1e-5;
 // The outermost test points stand this far inside the ends, as a fraction of the length: at a corner the third face is touched.
 constexpr double end_margin = 1e-6;
-// A ray in the plane of a face runs along the mesh; it starts this far above it, in radii of the target: the lit limit.
-constexpr double lift = 1e-6;
 // Rays along a shadow boundary meet or miss what throws the shadow by rounding alone. They start this far outside the edge they
 // are for, in radii of the target: which side of the boundary that is does not depend on rounding. As far as single precision may
 // be wrong (ExactHit), or as double precision, where that decides.
 constexpr double outwards_single = 4e-6, outwards_double = 1e-11;
-// This far beyond the end of a triangle's shadow its neighbours are asked, as a fraction of the edge's length.
-constexpr double beside_end = 1e-9;
-constexpr int most_steps = 16;  // from triangle to triangle
 
 }  // namespace
 
@@ -83,17 +77,18 @@ double EdgeVisibility::Probe::search(double lit_end, double dark_end, std::uint3
   return (lit_end + dark_end) / 2;
 }
 
-/// Where the shadow on the dark end stops: from one triangle's shadow to the next, until a ray beyond is free. Searched if that
-/// leads nowhere. A triangle that hides the end by its corners, seen nearly edge on, may be met by no ray.
+/// Where the shadow on the dark end stops: from one triangle's shadow to the next, in 16 steps at most, until a ray beyond is
+/// free. The neighbours are asked where rounding does not decide, just beyond the end of a shadow. Searched if that leads
+/// nowhere. A triangle that hides the end by its corners, seen nearly edge on, may be met by no ray.
 double EdgeVisibility::Probe::transition(double lit_end, double dark_end, std::uint32_t hidden_by) const {
   const double side = std::copysign(1.0, dark_end - lit_end);
   std::uint32_t blocker_there = blocker(dark_end);
   if (blocker_there == no_index) blocker_there = hidden_by;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < 16; ++step) {
     const TriangleShadow shade = shadow(blocker_there, outwards_double);
     const double end = shade.end_towards(lit_end, dark_end), room = side * (end - lit_end);
     if (!shade.hides(dark_end) || !(room > clip_tolerance)) break;
-    double beyond = end - side * std::min(beside_end, room / 2);
+    double beyond = end - side * std::min(rounding_guard, room / 2);
     std::uint32_t next = blocker_around(beyond, blocker_there);
     if (next == no_index) next = blocker(beyond = end - side * std::min(single_blocker, room / 2), outwards_double);
     if (next == no_index) return end;
@@ -104,9 +99,10 @@ double EdgeVisibility::Probe::transition(double lit_end, double dark_end, std::u
 
 namespace {
 
+// Two test points for each wavelength.
 int point_count(double length, double wavelength) {
   const double wanted = std::ceil(2 * length / wavelength) + 1;
-  return static_cast<int>(std::clamp(wanted, double{min_points}, double{max_points}));
+  return static_cast<int>(std::clamp(wanted, 8.0, 128.0));
 }
 
 /// The edge of a thin plate lies half-way through it, where rays would start inside: it is lit where the one on the near side is.
@@ -118,14 +114,15 @@ dvec3 to_near_side(const Wedge& wedge, const dvec3& towards) {
 /// Out of the metal, half-way between the faces; in the plane of a half plane.
 dvec3 outwards(const Wedge& wedge) { return -glm::normalize(wedge.faces[0].into_face + wedge.faces[1].into_face); }
 
-/// Regular test points, and one between neighbouring crossings that have none between them, in order.
+/// Regular test points, and one between neighbouring crossings that have none between them, in order: not half-way, where
+/// symmetric bodies have the seams of their triangles.
 void choose_points(int regular, std::span<const double> crossed, std::vector<double>& points) {
   points.clear();
   const auto fraction = [&](int point) { return end_margin + (1 - 2 * end_margin) * point / (regular - 1); };
   int next = 0;
   double before = 0.0;
   const auto pass = [&](double crossing) {
-    const double between = std::clamp(before + beside_middle * (crossing - before), end_margin, 1 - end_margin);
+    const double between = std::clamp(before + (std::numbers::sqrt2 - 1) * (crossing - before), end_margin, 1 - end_margin);
     const bool none = next == regular || fraction(next) > crossing;
     if (none && crossing - before > clip_tolerance) points.push_back(between);
     for (; next < regular && fraction(next) <= crossing; ++next) points.push_back(fraction(next));
@@ -171,7 +168,8 @@ void EdgeVisibility::find(std::uint32_t index, const dvec3& away, std::vector<Li
   if (crossings_) crossings_->find(index, crossed_);
   choose_points(point_count(wedges_[index].length(), wavelength_), crossed_, points_);
   const dvec3 near_side = to_near_side(wedges_[index], away == dvec3(0.0) ? view_.from(wedges_[index].start) : away);
-  const Probe probe{wedges_[index], tracer_, view_, away * (lift * tracer_.mesh().radius) + near_side,
+  // A ray in the plane of a face runs along the mesh; it starts 1e-6 radii of the target above it: the lit limit.
+  const Probe probe{wedges_[index], tracer_, view_, away * (1e-6 * tracer_.mesh().radius) + near_side,
                     tracer_.mesh().radius * outwards(wedges_[index])};
   test_points(probe);
   const auto transition = [&](std::size_t lit_point, std::size_t dark_point) {

@@ -48,7 +48,7 @@ class EdgeVisibility {
   double wavelength_;
   std::optional<Crossings> crossings_;
   std::vector<double> crossed_, points_;
-  std::vector<std::uint32_t> hidden_by_;  // of each point, a triangle; no_index: it is lit
+  std::vector<std::uint32_t> hidden_by_;  // [point], a triangle; no_index: it is lit
   std::vector<std::uint32_t> waiting_;    // points that are not known to be either
   std::vector<Ray> rays_;
   std::vector<std::uint32_t> found_;

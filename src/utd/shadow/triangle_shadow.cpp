@@ -8,9 +8,6 @@ namespace raytube {
 
 namespace {
 
-// Of a triangle seen more obliquely than by this sine, rounding decides which way it faces.
-constexpr double edge_on = 1e-3;
-
 // Six times the volume spanned by the ray from a point to the viewpoint and a side of a triangle.
 double volume(const dvec3& ray, const dvec3& point, const dvec3& from, const dvec3& to) {
   return glm::dot(ray, glm::cross(from - point, to - point));
@@ -25,7 +22,8 @@ TriangleShadow::TriangleShadow(const TriangleMesh& mesh, std::uint32_t triangle,
   const dvec3 first = view.towards_from(start), second = view.towards_from(end);
   const double facing = glm::dot(plane.normal, first), facing_end = glm::dot(plane.normal, second);
   const double rays = std::max(glm::length(first), glm::length(second));
-  if (std::min(facing * std::copysign(1.0, facing_end), facing_end * std::copysign(1.0, facing)) < edge_on * rays) return;
+  // Rounding decides which way a triangle faces that is seen more obliquely than by a sine of 1e-3.
+  if (std::min(facing * std::copysign(1.0, facing_end), facing_end * std::copysign(1.0, facing)) < 1e-3 * rays) return;
   const double sign = std::copysign(1.0, facing);
   // As ExactHit allows for: a dozen roundings of products of numbers up to the radius and the point's distance.
   const double longest = mesh.radius + std::max(glm::length(start), glm::length(end));

@@ -17,7 +17,7 @@ class Viewpoint {
 
   /// Unit vector towards it.
   dvec3 from(const dvec3& point) const { return far_ ? vector_ : glm::normalize(vector_ - point); }
-  /// The same, not of unit length but linear in `point`.
+  /// The direction towards the viewpoint, not of unit length but linear in `point`.
   dvec3 towards_from(const dvec3& point) const { return far_ ? vector_ : vector_ - point; }
   bool far() const { return far_; }
 

@@ -37,7 +37,7 @@ struct RimLook {
 /// S per length of rim, per receive polarisation.
 using Received = std::array<Complex, 2>;
 
-/// Of a moment: -(j / 4 pi) p . J, and of magnetic currents (j / 4 pi) p . (s x M).
+/// What the receiver has of a moment: -(j / 4 pi) p . J, and of magnetic currents (j / 4 pi) p . (s x M).
 Received received(const SheetVector& moment, const RimLook& rim, const LookVectors& look, bool electric);
 
 /// Tangential to a sheet in the frame of its rim: the field of a unit incident wave that drives its current.

@@ -7,26 +7,22 @@ namespace raytube {
 
 namespace {
 
-constexpr double grazing = 1e-3;  // cosine at which a layer is taken as met along it: its admittance differs by 1e-6 of its slope
-// Of the admittance of polarisation across the layer: with less of tangential currents the conditions at an edge are one.
-constexpr double least_share = 1e-5;
-constexpr double thin = 2.5, thick = 4.0;  // k d |n| up to which edge currents count in full, and from which on not at all
-// |T| from which on a plate counts as opaque, and from which on in full.
-constexpr double dim = 1e-2, opaque = 1e-3;
+// The cosine at which a layer is taken as met along it: its admittance differs by 1e-6 of its slope.
+constexpr double grazing = 1e-3;
 
 // Even and odd part of what a layer adds, for the field across the plane of incidence: E = (r + t - 1) / 2, O = (r - t + 1) / 2.
 struct EvenOdd {
   Complex even, odd;
 };
 
-// Of a conductor there is no 1 + E: the rim of a film of 1e-9 eta is that of a conductor to 1e-8.
+// Keeps 1 + E, which a conductor has not, from being none: the rim of a film of 1e-9 eta is that of a conductor to 1e-8.
 Complex not_none(Complex left) { return std::abs(left) < 1e-9 ? 1e-9 : left; }
 
 // y of the electric sheet -2 s E / (1 + E), that of the magnetic one 2 O / (s (1 - O)).
 Complex even_admittance(const EvenOdd& at, double s) { return -2.0 * s * at.even / not_none(1.0 + at.even); }
 Complex odd_admittance(const EvenOdd& at, double s) { return 2.0 * at.odd / (s * not_none(1.0 - at.odd)); }
 
-// Of both polarisations; for TM waves the ratios are those of H, and the two sheets change places.
+// The parts for both polarisations; for TM waves the ratios are those of H, and the two sheets change places.
 struct LayerParts {
   EvenOdd te, tm;
 };
@@ -42,9 +38,11 @@ LayerParts parts_of(const Material& material, std::size_t frequency, double wave
           parts(front.reflected.tm, behind.reflected.tm, front.transmitted.tm)};
 }
 
+// With less of tangential currents than 1e-5 of the admittance of polarisation across the layer the conditions at an edge are
+// one.
 SheetAdmittance fit(std::function<std::array<Complex, 2>(double)> exact, Complex normal) {
   const std::array<Complex, 2> straight = exact(1.0), along = exact(grazing);
-  const auto at_least = [least = least_share * std::abs(normal)](Complex y) { return std::abs(y) < least ? least : y; };
+  const auto at_least = [least = 1e-5 * std::abs(normal)](Complex y) { return std::abs(y) < least ? least : y; };
   const Complex constant = at_least(straight[0]);
   return {constant, normal, along[0] - constant - normal, at_least(along[1]), 0.0, 0.0, std::move(exact)};
 }
@@ -106,12 +104,14 @@ Complex end_face_shift(Complex ratio) {
 
 namespace {
 
-double thin_share(double electrical) { return std::clamp((thick - electrical) / (thick - thin), 0.0, 1.0); }
+// Edge currents of a plate count in full up to k d |n| = 2.5, and from 4 on not at all.
+double thin_share(double electrical) { return std::clamp((4.0 - electrical) / (4.0 - 2.5), 0.0, 1.0); }
 
-// Of the rim of an opaque plate: one sheet with the reflection of its faces.
+// How much the rim of a plate counts as that of an opaque one, one sheet with the reflection of its faces: from |T| = 1e-2 on,
+// and from 1e-3 on in full.
 double opaque_share(const Material& material, std::size_t frequency, double wavenumber) {
   const double passing = std::abs(smooth_response(material, frequency, wavenumber, 1.0, false).transmitted.te);
-  const double share = std::log(dim / std::max(passing, opaque)) / std::log(dim / opaque);
+  const double share = std::log(1e-2 / std::max(passing, 1e-3)) / std::log(1e-2 / 1e-3);
   return std::max(share, 0.0) * thin_share(wavenumber * stack_of(material.layers[frequency]).thickness);
 }
 
@@ -149,12 +149,12 @@ SheetPair sheet_pair(const Material& material, std::size_t frequency, double wav
     };
   };
   SheetPair pair;
-  pair.share = sheet_share(material, frequency, wavenumber);
+  pair.current_share = sheet_share(material, frequency, wavenumber);
   if (material.layers.empty()) {
     pair.electric = same_for_all(exact(true));
     pair.magnetic = same_for_all(exact(false));
     pair.slowest = std::numeric_limits<double>::infinity();
-  } else if (pair.share > layer_share(material, frequency, wavenumber)) {
+  } else if (pair.current_share > layer_share(material, frequency, wavenumber)) {
     pair.electric.exact = exact(true);
     pair.magnetic.exact = exact(false);
     make_opaque(pair, here, wavenumber, stack_of(material.layers[frequency]).thickness);

@@ -29,7 +29,7 @@ namespace raytube {
 /// the sheet, those with divergence have `divergence`, one number for all waves.
 struct SheetAdmittance {
   Complex constant, normal, slope, divergence;
-  /// Over the wavenumber [m]: how far the end face of the plate moves the edge outwards, for the currents across the edge and for
+  /// How far the end face of the plate moves the edge outwards, over the wavenumber [m], for the currents across the edge and for
   /// polarisation across the sheet.
   Complex end_face = 0.0, normal_end_face = 0.0;
   /// What the plate has exactly, curl and divergence, at the cosine of the angle of incidence.
@@ -42,16 +42,16 @@ struct SheetAdmittance {
 /// A plate at one frequency.
 struct SheetPair {
   SheetAdmittance electric, magnetic;
-  double slowest = 1.0;  // no wave that the plate guides has a larger wavenumber, over k
-  double share = 1.0;    // of its edge currents that count: those of thick plates fade out
+  double slowest = 1.0;        // no wave that the plate guides has a larger wavenumber, over k
+  double current_share = 1.0;  // how much of its edge currents counts: those of thick plates fade out
 };
 
 /// SheetPair::share of a material that transmits.
 double sheet_share(const Material& material, std::size_t frequency, double wavenumber);
 
-/// Of a material that transmits. Fitted at normal and at grazing incidence; the polynomial must not follow the exact admittance
-/// further, which grows like an exponential for evanescent waves and has no split functions. Valid for k d |n| up to about 2.5,
-/// from where on the share falls; it is none at 4. Layers that are not symmetric are taken as the mean of both sides.
+/// The sheets of a material that transmits. Fitted at normal and at grazing incidence; the polynomial must not follow the exact
+/// admittance further, which grows like an exponential for evanescent waves and has no split functions. Valid for k d |n| up to
+/// about 2.5, from where on the share falls; it is none at 4. Layers that are not symmetric are taken as the mean of both sides.
 SheetPair sheet_pair(const Material& material, std::size_t frequency, double wavenumber);
 
 /// How far the end face of a layer moves the edge for the field across it, over kd; first order in kd: the static field at the

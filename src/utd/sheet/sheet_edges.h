@@ -19,7 +19,7 @@ class SheetEdges {
   double work() const;
 
  private:
-  ScatteringMatrix fringe(const RimLook& rim, double c, const SheetPair& pair, double reach);
+  ScatteringMatrix fringe(const RimLook& rim, double c, const SheetPair& pair, double shortest);
 
   SheetScene scene_;
   const LookVectors& look_;

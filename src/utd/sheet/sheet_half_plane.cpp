@@ -9,24 +9,22 @@ namespace raytube {
 
 namespace {
 
-constexpr double normal_incidence = 1e-7;  // |b| below which the two channels are apart
-constexpr double apart = 2e-5;             // of nu from a pole that cancels
-constexpr double least_apart = 1e-6;       // of a guided wave from the branch point: those of metals carry nothing
-constexpr int cut_waves = 24;              // waves that carry what the branch cut sends along the sheet
-constexpr double cut_range = 4.5;          // they go on to e^{-range^2} at the reach
+// The |b| below which the two channels are apart: the wave is met across its rim.
+constexpr double normal_incidence = 1e-7;
 
 SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
   const Complex quadratic = y.normal + y.slope;
   return {SheetChannel::curl, (y.constant + quadratic * (1 - sin_cone * sin_cone)) / sin_cone, quadratic * sin_cone};
 }
 
-// The tilt of the branch cut that keeps it away from guided waves; further down, waves at a rim that is not parallel would come
+// The tilt of the branch cut that keeps it away from guided waves, but for those within 1e-6 of the branch point, as metals have
+// them, which carry nothing; further down, waves at a rim that is not parallel would come
 // from both sides of their root.
 double widest_gap(const SplitFunction& function, double slowest) {
   std::vector<double> angles;
   for (const double tilt : {0.0, 1.2})
     for (const Complex& wave : function.guided(slowest, tilt))
-      if (std::abs(wave - 1.0) > least_apart) angles.push_back(std::arg(wave - 1.0) + pi / 2);
+      if (std::abs(wave - 1.0) > 1e-6) angles.push_back(std::arg(wave - 1.0) + pi / 2);
   if (std::ranges::none_of(angles, [](double angle) { return std::abs(angle) < 0.6; })) return 0.0;
   double best = -1.0, result = 0.0;
   for (const double tilt : {0.0, 0.3, 0.5, 0.7}) {
@@ -40,7 +38,7 @@ double widest_gap(const SplitFunction& function, double slowest) {
 
 }  // namespace
 
-SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double reach)
+SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double shortest)
     : sheet_(sheet),
       sin_cone_(sin_cone),
       cone2_(1 - sin_cone * sin_cone),
@@ -57,8 +55,8 @@ SheetHalfPlane::SheetHalfPlane(const SheetAdmittance& sheet, double slowest, dou
   tie_divergence_ = {split(SheetChannel::divergence, -tie), split(SheetChannel::divergence, tie)};
   const Complex straight = sheet_.exact(1.0)[1];
   tie_fit_ = (2.0 + sheet_.divergence) * straight / (2.0 + straight) - sheet_.divergence;
-  launch(SheetChannel::curl, curl_, slowest, reach);
-  launch(SheetChannel::divergence, divergence_, slowest, reach);
+  launch(SheetChannel::curl, curl_, slowest, shortest);
+  launch(SheetChannel::divergence, divergence_, slowest, shortest);
 }
 
 Complex SheetHalfPlane::split(SheetChannel channel, Complex nu, Complex within) const {
@@ -88,16 +86,17 @@ SheetWave SheetHalfPlane::real_wave(SheetChannel channel, double nu, double with
   return wave;
 }
 
-void SheetHalfPlane::launch(SheetChannel channel, const SplitFunction& function, double slowest, double reach) {
+// What the branch cut sends along the sheet is carried by 24 waves, down to e^{-4.5^2} at the end of the shortest strip.
+void SheetHalfPlane::launch(SheetChannel channel, const SplitFunction& function, double slowest, double shortest) {
   const double tilt = widest_gap(function, 1.2 * slowest / sin_cone_);
   const Complex turn = -imaginary_unit * std::polar(1.0, -tilt);
-  const double range = cut_range / std::sqrt(reach * std::cos(tilt));
+  const double range = 4.5 / std::sqrt(shortest * std::cos(tilt));
   const auto add = [&](Complex along, Complex strength) {
     const Complex v = sin_cone_ * along;
     const SheetWave wave = complex_wave(channel, v);
     launched_.push_back({channel, wave, along, sin_cone_ * strength / (2.0 * imaginary_unit * split(channel, v))});
   };
-  for (const auto& [x, weight] : gauss_rule(cut_waves)) {
+  for (const auto& [x, weight] : gauss_rule(24)) {
     const double root = range * x * x;  // tau = root^2, close to 0 where the cut begins
     const double dtau = 4 * root * range * x * weight;
     const Complex along = 1.0 + turn * root * root;
@@ -114,7 +113,7 @@ std::array<SheetSource, 2> SheetHalfPlane::plane_wave(double c, double b, const 
             (-c * incident.across - b * incident.along) * z_divergence, incident.across * z_divergence}}};
 }
 
-// Of the wave's current C or D: E Z(-c) = C / (2 y Z(c)), and its component -c E / a2.
+// The wave's current C or D: E Z(-c) = C / (2 y Z(c)), and its component -c E / a2.
 SheetSource SheetHalfPlane::arriving(SheetChannel channel, Complex a2, Complex near) const {
   Complex c = std::sqrt(a2 - cone2_);
   if ((c * std::conj(near)).real() < 0.0) c = -c;
@@ -258,6 +257,8 @@ SheetVector sheet_fringe(const SheetHalfPlane& half_plane, double nu, double c, 
   const auto at = [&](double x) {
     return half_plane.moment(sources, constants, x, b) - half_plane.physical_optics(x, c, b, incident);
   };
+  // Closer to a pole that cancels than this nu is not evaluated.
+  constexpr double apart = 2e-5;
   const bool at_pole = std::abs(nu + c) < apart;
   if (!at_pole && std::hypot(nu, b) > apart) return at(nu);
   const double middle = at_pole ? -c : nu;

@@ -28,7 +28,7 @@ struct SheetSource {
   SheetChannel channel;
   SheetWave wave;     // nu = c
   Complex strength;   // E Z(-c)
-  Complex component;  // of E: along the edge (curl) or across it (divergence), times Z(-c)
+  Complex component;  // what E has along the edge (curl) or across it (divergence), times Z(-c)
 };
 
 /// What of the brackets Phi the conditions at the edge make up.
@@ -58,8 +58,8 @@ SheetVector current_of(SheetChannel channel, Complex nu, Complex a2, double b);
 /// One sheet at one angle of the cone; its tables do not depend on the sign of b. `sheet` must outlive it.
 class SheetHalfPlane {
  public:
-  /// `reach` is the least electrical length k l sin_cone^2 of strips that its waves are followed over.
-  SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double reach);
+  /// `shortest` is the least electrical length k l sin_cone^2 of strips that its waves are followed over.
+  SheetHalfPlane(const SheetAdmittance& sheet, double slowest, double sin_cone, double shortest);
 
   double sin_cone() const { return sin_cone_; }
 
@@ -92,7 +92,7 @@ class SheetHalfPlane {
   Complex split(SheetChannel channel, Complex nu) const { return split(channel, nu, nu); }
   Complex bare(const SheetSource& source, Complex nu) const;
   Complex fitted(const SheetSource& source, const SheetWave& at) const;
-  void launch(SheetChannel channel, const SplitFunction& function, double slowest, double reach);
+  void launch(SheetChannel channel, const SplitFunction& function, double slowest, double shortest);
   void constants_at_normal(std::span<const SheetSource> sources, EdgeConstants& result) const;
   void constants_on_cone(std::span<const SheetSource> sources, double b, EdgeConstants& result) const;
   std::array<Complex, 2> sums(std::span<const SheetSource> sources, Complex nu, bool fitted) const;
@@ -102,7 +102,7 @@ class SheetHalfPlane {
   SplitFunction curl_, divergence_;
   Complex root_, ratio_;                              // u, 1 / (2 Z_C(-u)^2)
   std::array<Complex, 2> tie_curl_, tie_divergence_;  // Z(-j |b|) and Z(j |b|)
-  Complex tie_fit_;                                   // of the divergence: there s = 1
+  Complex tie_fit_;                                   // fit of the divergence where s = 1
   std::vector<LaunchedWave> launched_;
 };
 

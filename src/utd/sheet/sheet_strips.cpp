@@ -9,8 +9,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double same_phase = 1e-6;  // [rad] strips whose phases differ by less are alike
-
 // Per launched wave of a half plane.
 using CurrentWaves = std::vector<Complex>;
 
@@ -55,7 +53,7 @@ Complex tail(Complex v, Complex nu) { return imaginary_unit / (v + nu); }
 struct SheetStrips::Sheet {
   const SheetPair& pair;
   bool electric;
-  double wavenumber, reach;
+  double wavenumber, shortest;
 };
 
 /// Waves that leave a rim over the strips of a wave of the tree: of each of their points, or one for all.
@@ -108,13 +106,13 @@ void SheetStrips::lay(std::uint32_t index, const FaceIncidence& incidence, std::
 void SheetStrips::add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum) {
   for (const bool electric : {true, false}) {
     if ((electric ? pair.electric : pair.magnetic).empty()) continue;
-    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, reach(wavenumber));
+    const SheetHalfPlane& sheet = half_planes_.at(pair, electric, rim.sin_cone, shortest(wavenumber));
     std::array<CurrentWaves, 2> amplitudes;
     for (int transmit = 0; transmit < 2; ++transmit) {
       const std::array<SheetSource, 2> sources = sheet.plane_wave(c, rim.b, driving_field(rim, look_, electric, transmit));
       amplitudes[transmit] = launched(sheet, sources, sheet.constants(sources, rim.b));
     }
-    follow({pair, electric, wavenumber, reach(wavenumber)}, {0, sheet, 0, {amplitudes}}, sum);
+    follow({pair, electric, wavenumber, shortest(wavenumber)}, {0, sheet, 0, {amplitudes}}, sum);
   }
 }
 
@@ -132,19 +130,20 @@ void SheetStrips::follow(const Sheet& sheet, const Departure& from, ScatteringMa
   }
 }
 
-// In the product of current and length of edge the sine between strip and edge changes from that at the start to that at the end.
+// The sine between strip and edge, in the product of current and length of edge, changes from that at the start to that at the
+// end. Strips whose phases differ by less than 1e-6 rad are alike.
 void SheetStrips::arrive(const Sheet& sheet, const Departure& from, std::uint32_t bundle, std::uint32_t next,
                          ScatteringMatrix& sum) {
   const StripBundle& strips = tree_.bundles()[bundle];
   const StripWave& there = tree_.waves()[next].wave;
   const RimLook rim(scene_.wedges[there.wedge].faces[there.face], there.incidence, look_.scattered);
-  const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone, sheet.reach);
+  const SheetHalfPlane& half_plane = half_planes_.at(sheet.pair, sheet.electric, rim.sin_cone, sheet.shortest);
   std::vector<ArrivedWave> waves;
   const double cones = std::pow(from.half_plane.sin_cone() / half_plane.sin_cone(), 2);
   for (const LaunchedWave& wave : from.half_plane.launched()) waves.emplace_back(wave, cones, half_plane, rim.b);
   const EdgePanels::PointRange range = panels_.ranges()[bundle];
   const double sine = from.half_plane.sin_cone(), per_length = sheet.wavenumber * sine * sine;
-  const bool alike = from.amplitudes.size() == 1 && per_length * std::abs(strips.growth) * (strips.to - strips.from) < same_phase;
+  const bool alike = from.amplitudes.size() == 1 && per_length * std::abs(strips.growth) * (strips.to - strips.from) < 1e-6;
   Departure onwards{next, half_plane, range.first, {}};
   for (std::uint32_t i = range.first; i < range.end; ++i) {
     if (alike && i > range.first) break;
@@ -196,7 +195,7 @@ void SheetStrips::radiate(const Sheet& sheet, const RimLook& from, const RimLook
   for (std::uint32_t i = range.first; i < range.end; ++i) {
     const PanelPoint& point = panels_.points()[i];
     const Complex phase =
-        sheet.pair.share * sines * std::polar(point.weight, sheet.wavenumber * strips.end_path.at(point.arc_length));
+        sheet.pair.current_share * sines * std::polar(point.weight, sheet.wavenumber * strips.end_path.at(point.arc_length));
     for (int transmit = 0; transmit < 2; ++transmit)
       for (std::size_t n = 0; n < of_unit.size(); ++n)
         for (int receive = 0; receive < 2; ++receive)

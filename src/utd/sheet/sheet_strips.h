@@ -32,7 +32,7 @@ class SheetStrips {
   void add(const RimLook& rim, double c, const SheetPair& pair, double wavenumber, ScatteringMatrix& sum);
 
   /// Electrical length of the shortest of them.
-  double reach(double wavenumber) const { return wavenumber * shortest_; }
+  double shortest(double wavenumber) const { return wavenumber * shortest_; }
 
   double work() const { return work_; }
 
@@ -52,7 +52,7 @@ class SheetStrips {
   SheetHalfPlanes& half_planes_;
   WaveTree tree_;
   EdgePanels panels_;
-  double shortest_ = 0.0;  // of the tree: mean length of a bundle's strips times sin_cone^2 [m]
+  double shortest_ = 0.0;  // least mean length of a bundle's strips in the tree, times sin_cone^2 [m]
   double work_ = 0.0;
 };
 

@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
-
-namespace {
-
-constexpr double border = 2.0 - 1e-9;              // n of an edge where one sheet ends
-constexpr int least_octave = -1, most_octave = 8;  // of the reach
-constexpr double same_cone = 1e-12;                // of sin(beta'): parallel rims share their tables
-
-}  // namespace
 
 bool is_sheet_rim(const Wedge& wedge, std::span<const Material> materials) {
   const auto& [front, back] = wedge.faces;
-  return wedge.n >= border && front.material != no_index && front.material == back.material && front.patch == back.patch &&
-         materials[front.material].transmits();
+  return wedge.n >= 2.0 - rounding_guard && front.material != no_index && front.material == back.material &&
+         front.patch == back.patch && materials[front.material].transmits();
 }
 
 SheetTable::SheetTable(std::span<const Material> materials, std::span<const double> frequencies)
@@ -33,10 +27,11 @@ const SheetPair& SheetTable::at(std::uint32_t material, double frequency) const 
   return pairs_[material][static_cast<std::size_t>(found - frequencies_.begin())];
 }
 
-const SheetHalfPlane& SheetHalfPlanes::at(const SheetPair& pair, bool electric, double sin_cone, double reach) {
+// Rims whose sin(beta') are equal, as those of parallel ones, share their tables, one for each octave of the shortest strip.
+const SheetHalfPlane& SheetHalfPlanes::at(const SheetPair& pair, bool electric, double sin_cone, double shortest) {
   const SheetAdmittance& sheet = electric ? pair.electric : pair.magnetic;
-  const double rounded = std::round(sin_cone / same_cone) * same_cone;
-  const int octave = std::clamp(std::ilogb(reach), least_octave, most_octave);
+  const double rounded = std::round(sin_cone / tie_guard) * tie_guard;
+  const int octave = std::clamp(std::ilogb(shortest), -1, 8);
   std::unique_ptr<SheetHalfPlane>& found = made_[{&sheet, rounded, octave}];
   if (!found) found = std::make_unique<SheetHalfPlane>(sheet, pair.slowest, rounded, std::ldexp(1.0, octave));
   return *found;

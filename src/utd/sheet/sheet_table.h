@@ -32,7 +32,7 @@ class SheetTable {
 class SheetHalfPlanes {
  public:
   /// Reaches within a factor of two share their tables.
-  const SheetHalfPlane& at(const SheetPair& pair, bool electric, double sin_cone, double reach);
+  const SheetHalfPlane& at(const SheetPair& pair, bool electric, double sin_cone, double shortest);
 
   std::size_t made() const { return made_.size(); }
 

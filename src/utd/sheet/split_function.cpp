@@ -7,8 +7,6 @@ namespace raytube {
 
 namespace {
 
-constexpr double last_node = 24.0, step = 0.05;  // of u, t = sinh u: the integrand is regular for |Im u| < pi/2
-
 Complex tilted_root(Complex z, double tilt) {
   const double half = pi / 4 - tilt / 2;
   return std::polar(1.0, half) * std::sqrt(z * std::polar(1.0, -2 * half));
@@ -20,8 +18,10 @@ Complex sheet_root(Complex a, double tilt) { return -imaginary_unit * tilted_roo
 
 SplitFunction::SplitFunction(SheetChannel channel, Complex constant, Complex quadratic)
     : channel_(channel), constant_(constant), quadratic_(quadratic) {
+  // The integral is over u, t = sinh u, as the integrand is regular for |Im u| < pi/2.
+  constexpr double step = 0.05;
   double turns = 0.0, last = 0.0;
-  for (double u = 0.0; u < last_node; u += step) {
+  for (double u = 0.0; u < 24.0; u += step) {
     const double t = std::sinh(u), cosh = std::cosh(u);
     const Complex value = std::log(kernel(cosh, imaginary_unit * t));
     if (u > 0.0) turns -= 2 * pi * std::round((value.imag() - last) / (2 * pi));
@@ -69,7 +69,7 @@ Complex SplitFunction::at(Complex a) const {
 }
 
 std::vector<Complex> SplitFunction::guided(double slowest, double tilt) const {
-  std::vector<Complex> roots;  // in s
+  std::vector<Complex> roots;  // those in s
   if (channel_ == SheetChannel::divergence) {
     roots = {-2.0 / constant_};
   } else if (std::abs(quadratic_) <= 1e-12 * std::abs(constant_)) {

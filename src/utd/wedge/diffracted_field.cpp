@@ -7,12 +7,11 @@
 #include "math/erfc_ray.h"
 #include "utd/wedge/detour.h"
 #include "utd/wedge/edge_wave.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-constexpr double angle_rounding = 1e-9;  // [rad] deeper in the metal than this is not rounding
 
 // A point relative to the edge: rho, z along it, and the angle from face 0, negative in the metal.
 struct Cylindrical {
@@ -24,8 +23,8 @@ struct Cylindrical {
 double angle_from_face(const StraightEdge& edge, double x, double y) {
   const double last = edge.n * pi, turned = std::atan2(y, x), angle = turned < 0.0 ? turned + 2 * pi : turned;
   if (angle <= last) return angle;
-  if (angle - last < angle_rounding) return last;
-  return 2 * pi - angle < angle_rounding ? 0.0 : -1.0;
+  if (angle - last < rounding_guard) return last;
+  return 2 * pi - angle < rounding_guard ? 0.0 : -1.0;
 }
 
 Cylindrical cylindrical(const StraightEdge& edge, const dvec3& offset) {
@@ -33,7 +32,7 @@ Cylindrical cylindrical(const StraightEdge& edge, const dvec3& offset) {
   return {std::hypot(x, y), glm::dot(offset, edge.tangent()), angle_from_face(edge, x, y)};
 }
 
-// Of a plane wave, the direction towards its source.
+// Where the source is; for a plane wave, the direction towards it.
 Cylindrical cylindrical(const StraightEdge& edge, const RaySource& source) {
   return cylindrical(edge, source.spreading == Spreading::plane ? -source.direction : source.position - edge.origin);
 }
@@ -48,14 +47,14 @@ void require(const Cylindrical& point, const char* what) {
 void require(const StraightEdge& edge, const RaySource& source) {
   if (!(edge.n > 0.0 && edge.n <= 2.0)) throw InputError("diffracted field: n must be greater than 0 and at most 2");
   if (!(edge.begin < edge.end)) throw InputError("diffracted field: the edge must end after its beginning");
-  if (source.spreading == Spreading::line && glm::length(glm::cross(source.direction, edge.tangent())) > angle_rounding)
+  if (source.spreading == Spreading::line && glm::length(glm::cross(source.direction, edge.tangent())) > rounding_guard)
     throw InputError("diffracted field: a line source must be parallel to the edge");
 }
 
 // The edge point in the plane where the ray is straight, and what follows from there.
 struct Unfolded {
-  double arc_length;  // of Q
-  double cos_cone;    // of the angle between the edge and either ray
+  double arc_length;  // place of Q on the edge
+  double cos_cone;    // cosine of the angle between the edge and either ray
   double sin_cone;
   double path;  // [m]
   double spread;

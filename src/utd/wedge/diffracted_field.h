@@ -28,7 +28,7 @@ StraightEdge straight_edge(const Wedge& wedge);
 /// A ray from the source over the edge to the observer. Q may lie beyond the ends of the edge: what arrives then is the
 /// uniform remainder of the corner wave.
 struct EdgeRay {
-  double arc_length;                       // of the diffraction point Q on the edge [m]
+  double arc_length;                       // place of the diffraction point Q on the edge [m]
   dvec3 point;                             // Q
   dvec3 arriving, leaving;                 // s' and s, unit
   double path;                             // from source to observer over Q [m]

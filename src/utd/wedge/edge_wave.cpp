@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "utd/wedge/rounding_guard.h"
+
 namespace raytube {
 
 namespace {
-
-constexpr double on_boundary = 1e-12;  // [rad] closer than this the side is undecided: tie rule
 
 // sin(eps/2) / (n tan(eps/2n)), eps >= 0: 1 on the boundary.
 double relative_strength(double n, double eps) {
@@ -22,9 +22,10 @@ double relative_strength_slope(double n, double eps) {
   return std::cos(eps / 2) / (2 * n * std::tan(eps / (2 * n))) - std::sin(eps / 2) / (2 * n * n * sine * sine);
 }
 
-// `eps` is the signed angular distance to the wave's boundary and `turn` how it changes with the azimuth, 1 or -1.
+// `eps` is the signed angular distance to the wave's boundary and `turn` how it changes with the azimuth, 1 or -1. On the
+// boundary the mean of both sides counts.
 EdgeWaveTerm at_distance(double eps, double turn, double strength, double slope) {
-  const double side = std::abs(eps) < on_boundary ? 0.0 : std::copysign(1.0, eps);
+  const double side = std::abs(eps) < tie_guard ? 0.0 : std::copysign(1.0, eps);
   return {-side / 2 * strength, std::numbers::sqrt2 * std::abs(std::sin(eps / 2)), -turn / 2 * slope,
           side * turn * std::cos(eps / 2) / std::numbers::sqrt2};
 }

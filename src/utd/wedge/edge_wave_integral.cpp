@@ -6,13 +6,11 @@
 
 #include "math/erfc_ray.h"
 #include "math/filon.h"
+#include "utd/wedge/rounding_guard.h"
 
 namespace raytube {
 
 namespace {
-
-// Keeps the number of rules the same where the ratio is a power of `most_ratio`, whatever the rounding.
-constexpr double slack = 1e-9;
 
 Complex product(const Complexes& a, const Complexes& b) {
   double re = 0.0, im = 0.0;
@@ -57,7 +55,7 @@ struct EdgeWaveIntegral::Samples {
   edge_row::BothWaves waves;
   bool beside_corner = false;
   Complexes turn{}, step{};  // e^{j detour}, W of its root
-  double scale = 0.0;        // of the integral
+  double scale = 0.0;        // size of the integral
   double sin_cone = 1.0;
 
   WaveIntegrals sum(const Complexes& rule, Complex phase) const {
@@ -74,7 +72,8 @@ void EdgeWaveIntegral::visit_rays(const RayRow& row, double k, Visit visit) cons
   if (from < to) {
     const double unit = edge_row::least_distance / k;
     const double near = std::max(row.path + row.path_rate * from, unit), far = std::max(row.path + row.path_rate * to, unit);
-    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(edge_row::most_ratio) + slack);
+    // The number of rules is the same where the ratio is a power of `most_ratio`, whatever the rounding.
+    const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(edge_row::most_ratio) + rounding_guard);
     double begin = from;
     for (int i = 1; i <= parts; ++i) {
       const double path = near * std::pow(far / near, static_cast<double>(i) / parts);

@@ -13,7 +13,7 @@ struct FaceImpedance {
 /// As good as grazing incidence: Z depends on the square of this cosine, 1e-8 of it, and 1e-12 is lost in 1 + r.
 inline constexpr double grazing_cosine = 1e-4;
 
-/// Of a plane with this reflection at this cosine of incidence.
+/// The impedance of a plane with this reflection at this cosine of incidence.
 inline FaceImpedance impedance_of(const SurfaceResponse::Polarised& reflected, double cosine) {
   return {(1.0 + reflected.te) / (cosine * (1.0 - reflected.te)), cosine * (1.0 - reflected.tm) / (1.0 + reflected.tm)};
 }

@@ -34,7 +34,7 @@ class ImageAntenna {
   const Antenna* antenna_;
   glm::dmat3 turn_{1.0};  // a point is to the antenna itself where turn point + shift is
   dvec3 shift_{0.0};      // [m]
-  double sign_ = 1.0;     // of E, one for each conductor
+  double sign_ = 1.0;     // sign of E, turned by each conductor
 };
 
 /// The transmitter as mirrors show it, and the receiver.

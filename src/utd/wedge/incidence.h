@@ -21,7 +21,7 @@ struct WedgeIncidence {
   dvec3 free_side{0.0};  // normal of that face when the weight is 1/2: the side from which the edge is seen; else 0
 };
 
-/// Incidence along the edge: every fringe current stays bounded there, its formula needs the floor.
+/// The least sin(beta0): every fringe current stays bounded where a wave comes along the edge, and its formula needs the floor.
 inline constexpr double sin_cone_floor = 1e-6;
 
 /// A face is lit when s' . n_f < -1e-7: closer to grazing its tubes have no width either.

@@ -4,21 +4,16 @@
 
 namespace raytube {
 
-namespace {
-
-constexpr double least_phase = 0.01;  // over the target, that counts as none [rad]
-
-}  // namespace
-
 double bend_over_target(const Antenna& antenna, double wavenumber, double radius) {
-  const double reach = glm::length(antenna.reference()) + radius;
-  return wavenumber * reach * reach / antenna.range();
+  const double farthest = glm::length(antenna.reference()) + radius;
+  return wavenumber * farthest * farthest / antenna.range();
 }
 
+// Waves whose phase bends by less than 0.01 rad over the target are plane.
 NearLook::NearLook(const NearAntennas& antennas, double wavenumber, double radius)
     : antennas_(antennas),
-      parallel_in_(bend_over_target(antennas.transmit.antenna(), wavenumber, radius) < least_phase),
-      parallel_out_(bend_over_target(*antennas.receive, wavenumber, radius) < least_phase) {}
+      parallel_in_(bend_over_target(antennas.transmit.antenna(), wavenumber, radius) < 0.01),
+      parallel_out_(bend_over_target(*antennas.receive, wavenumber, radius) < 0.01) {}
 
 LookVectors NearLook::at(const dvec3& point) const {
   const AntennaRay in = antennas_.transmit.ray_to(point), out = antennas_.receive->ray_to(point);

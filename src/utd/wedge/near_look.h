@@ -13,7 +13,7 @@ double bend_over_target(const Antenna& antenna, double wavenumber, double radius
 /// that are parallel over the whole target are therefore taken so: the limit of a long range is the far field.
 class NearLook {
  public:
-  /// Of a target that reaches `radius` from the origin of its recentred coordinates. Refers to the antennas.
+  /// The look at a target that reaches `radius` from the origin of its recentred coordinates. Refers to the antennas.
   NearLook(const NearAntennas& antennas, double wavenumber, double radius);
 
   /// Fields with their amplitudes there, without phase.

@@ -12,7 +12,7 @@ struct PathPlace {
   dvec3 towards;         // the radar
   glm::dmat3 turn{1.0};  // a point's image is turn point + shift
   dvec3 shift{0.0};      // [m]
-  double path = 0.0;     // of the light, that `phase` leaves out [m]
+  double path = 0.0;     // what `phase` leaves out of the light's path [m]
 
   /// `phase`: exponent / k of what radiates from `last` [m].
   dvec3 at(const dvec3& first, const dvec3& last, double phase) const {

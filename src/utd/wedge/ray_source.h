@@ -18,7 +18,7 @@ enum class Spreading {
 ///   plane  spread 1, path d . (r - position)
 struct RaySource {
   Spreading spreading = Spreading::point;  // form of its waves
-  dvec3 position{0.0};                     // of the source; of a plane wave, where its phase is zero [m]
+  dvec3 position{0.0};                     // place of the source, or where the phase of a plane wave is zero [m]
   dvec3 direction{0, 0, 1};                // unit: of travel of a plane wave, along a line; no meaning for a point
   ComplexVector moment;                    // p
 };

@@ -18,7 +18,7 @@ namespace raytube {
 struct RowStretch {
   double from, to;      // positions [m]
   double corner = 0.0;  // the end of the edge that it lies beside [m]
-  double side = 0.0;    // of that end: 1 inside, -1 beyond it; 0: the rays by themselves
+  double side = 0.0;    // side of that end: 1 inside, -1 beyond it; 0: the rays by themselves
   double half() const { return (to - from) / 2; }
   double middle() const { return (from + to) / 2; }
 };
@@ -41,7 +41,7 @@ inline double reach(double path, double k, double cosine, double sin_cone) {
   return (d * cosine + std::sqrt(d * d + 2 * d * path * square)) / square;
 }
 
-/// Of what happens at an end of the edge the shares that are a wave's own and its slopes', by the square z^2 of its argument and
+/// The shares of what happens at an end of the edge that are a wave's own and its slopes', by the square z^2 of its argument and
 /// the electrical detour.
 inline std::pair<double, double> shares_at_end(double z2, double detour) {
   const double both = z2 + detour, own = both > 0.0 ? z2 / both : 1.0;
@@ -103,7 +103,7 @@ Waves waves_at(std::span<const EdgeWaveTerm> terms, const Reals& root, Share sha
   return sum;
 }
 
-/// Of incident and of reflected waves.
+/// The sums of incident and of reflected waves.
 struct BothWaves {
   Waves incident, reflected;
 };
