@@ -30,8 +30,8 @@ class SheetCorner {
   struct Start {
     ComplexVector flat, upright;
   };
-  /// Of the unit vector `towards` that direction. Closer to the sheet than 3 degrees, at a right angle, it is interpolated
-  /// between there and the sheet itself.
+  /// What a wave from the direction of the unit vector `towards` starts. Closer to the sheet than 3 degrees, at a right angle, it
+  /// is interpolated between there and the sheet itself.
   Start start(const dvec3& towards) const;
 
   /// The memory of one corner.
@@ -42,7 +42,7 @@ class SheetCorner {
 
   struct Source {
     dvec3 point;
-    RadialWave soft, hard;  // of unit sources of the two potentials, with what they send along the edge
+    RadialWave soft, hard;  // those of unit sources of the two potentials, with what they send along the edge
   };
   struct Gradients {
     ComplexVector soft, hard;

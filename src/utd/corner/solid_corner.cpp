@@ -25,7 +25,7 @@ constexpr double circle = 0.2;
 std::pair<double, double> graded(double t) {
   constexpr double p = 3.0, c = 1.0 / p - 0.5;
   const auto v = [&](double x) { return c * std::pow((pi - x) / pi, 3) + (x - pi) / (p * pi) + 0.5; };
-  const double slope = -3 * c / pi * std::pow((pi - t) / pi, 2) + 1 / (p * pi);  // of v at t and at 2 pi - t
+  const double slope = -3 * c / pi * std::pow((pi - t) / pi, 2) + 1 / (p * pi);  // slope of v at t and at 2 pi - t
   const double from = v(t), to = v(2 * pi - t), a = std::pow(from, p), b = std::pow(to, p);
   const double da = p * std::pow(from, p - 1) * slope, db = -p * std::pow(to, p - 1) * slope;
   return {a / (a + b), (da * b - a * db) / ((a + b) * (a + b))};

@@ -54,7 +54,7 @@ class SolidCorner {
   };
   struct Raised {
     dvec3 towards, along;
-    double height;  // of the direction above the face over that of `towards`
+    double height;  // height of the direction above the face, over that of `towards`
   };
   Gradients gradients(const dvec3& towards) const;
   Raised raised(const dvec3& source) const;

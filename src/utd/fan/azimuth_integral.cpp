@@ -89,8 +89,8 @@ class Integrator {
   }
 
   // The series goes on after the terms the rule resolves about as it ends, and of what follows a Gauss rule of n points misses
-  // the terms from 2n on: about the square of the last ones. Bends
-  // inside a panel leave four times what smooth functions do. All channels decide together, so that it is not the polarisation
+  // the terms from 2n on: about the square of the last ones. Bends inside a panel leave four times what smooth functions do. All
+  // channels decide together, so that it is not the polarisation
   // basis that does.
   bool estimate(const Rule& rule, double width, double tolerance) {
     sum_.assign(frequency_count_, {});

@@ -30,7 +30,7 @@ double hard_zero(int n) {
 }
 
 EdgeFactors by_series(double xi) {
-  constexpr double eighth = std::numbers::sqrt2 / 2;  // of a turn
+  constexpr double eighth = std::numbers::sqrt2 / 2;  // cosine and sine of an eighth of a turn
   const double root = std::sqrt(pi), x = xi * std::sqrt(xi);
   const Complex turn = x * Complex(eighth, eighth), back = x * x * x * Complex(eighth, -eighth);
   return {1.0 - root / 4 * turn + Complex(0, 7.0 / 60) * x * x + 7 * root / 512 * back,

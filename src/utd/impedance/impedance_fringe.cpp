@@ -114,7 +114,7 @@ std::array<Complex, 2> radiated_by_hard(const ImpedanceKernels& kernels, const W
 
 // Along the sum of the normals and along their difference. Of a half plane the sum is zero, and the plane lies in the middle.
 dvec3 edge_below(const Wedge& wedge, const std::array<SurfaceImpedance, 2>& faces) {
-  constexpr double sharpest = 0.07;  // of the sum squared, 15 degrees
+  constexpr double sharpest = 0.07;  // the square of the sum at 15 degrees
   const dvec3 sum = wedge.faces[0].normal + wedge.faces[1].normal, difference = wedge.faces[0].normal - wedge.faces[1].normal;
   const double sum2 = glm::dot(sum, sum), difference2 = glm::dot(difference, difference);
   dvec3 below(0.0);

@@ -11,13 +11,13 @@ namespace {
 
 constexpr Complex j(0.0, 1.0);
 
-// Currents closer to those of the edge's own face, in cos(g/2), are taken that far off.
+// Along the edge's own face, at cos(g/2) = 1, currents are taken this far off.
 double apart_from_grazing(double half_cosine) {
   constexpr double on_grazing = 1e-6;
   return std::abs(half_cosine - 1.0) < on_grazing ? 1.0 - on_grazing : half_cosine;
 }
 
-// Takes the pole's sin(a/2): it lies on the far side of the path, so that there is a guided wave beside the integral.
+// Whether a pole, by its sin(a/2), lies on the far side of the path, so that there is a guided wave beside the integral.
 bool is_guided(Complex sine) { return sine.imag() > sine.real(); }
 
 // Only poles of inductive faces come close to the path.

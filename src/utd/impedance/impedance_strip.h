@@ -61,15 +61,15 @@ class ImpedanceStrip {
     Complex weight;
     Complex growth;                      // by k l
     std::array<WedgePoint, 2> leaving;   // as the strip's face sees it, and the other one
-    std::array<Complex, 2> sent;         // over the ratio of faces_at, by the first edge's faces
-    std::array<Complex, 2> met;          // over the ratio of faces_at, by the far edge's faces
+    std::array<Complex, 2> sent;         // values over the ratio of faces_at, by the first edge's faces
+    std::array<Complex, 2> met;          // values over the ratio of faces_at, by the far edge's faces
     Complex at_edge;                     // half of the field there, times faces_at of the source
     MaliuzhinetsPoint at_own, at_other;  // there, as at a source
     Complex leaving_sine, arriving_sine, arriving_cosine;
   };
   struct Ends;
   void lay_path(int nodes);
-  /// Of a wave at a, which each edge may be asked for at another angle.
+  /// How a wave at a passes from edge to edge, each of which may be asked for it at another angle.
   Passing passing(Complex at, Complex leaving, Complex arriving, Complex weight) const;
   Complex arriving(Complex angle) const;
   Complex sent(const Ends& ends, const Passing& wave) const;

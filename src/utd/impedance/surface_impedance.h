@@ -6,7 +6,7 @@
 namespace raytube {
 
 /// The impedance of one face at one frequency, over eta: for E across the plane of incidence (soft at an edge met at a right
-/// angle) and of E in it (hard). A perfect conductor has 0.
+/// angle) and for E in it (hard). A perfect conductor has 0.
 struct SurfaceImpedance {
   Complex soft, hard;
   double depth = 0.0;  // depth of the plane where it holds, below the face of the mesh [m]

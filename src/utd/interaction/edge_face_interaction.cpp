@@ -93,8 +93,8 @@ void illuminate(const EdgeLight& light, double tolerance, Found& found) {
   }
 }
 
-// Of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that goes on from
-// there has no side. Less the share that counts.
+// What counts of reflected light by geometrical optics: all of it, none, and half on the border of its beam, where the wave that
+// goes on from there has no side. Less the share that counts.
 double beyond_smooth_light(const EdgeLight& light, const LitEdgePiece& piece, const PenumbraFringe& penumbra) {
   // Light that differs by more from that on its border is within 1e-5 rad of the border only of edges 500 of their lengths away:
   // waves are not asked then, which saves time alone.

@@ -1,7 +1,7 @@
 // Edge-face interaction: waves that edges send to faces other than their own, where physical optics has none of them.
 // Derived in docs/theory/interaction.md.
 //
-// In formulas: s' is the direction of the wave that arrives at an edge, s the one the target scatters to, beta0 the angle between
+// Notation: s' is the direction of the wave that arrives at an edge, s the one the target scatters to, beta0 the angle between
 // s' and the edge, phi' and phi the azimuths of source and observer about it, from its first face on, n pi the outer angle of the
 // wedge, z the position along the edge [m], k the wavenumber.
 //
@@ -36,14 +36,14 @@ struct InteractionResult {
   /// Per frequency [m]: what pairs of an edge and a face that are not paid for would add to |S_pq| of the co-polar channels, by
   /// root sum of squares (docs/theory/interaction.md). Empty: none are left out.
   std::vector<double> left_out;
-  std::uint64_t pairs = 0, pairs_left_out = 0;  // of an edge and a face, as the plan has them
-  std::uint64_t reflected_pairs_left_out = 0;   // of an edge and mirrors by way of which light might reach it
+  std::uint64_t pairs = 0, pairs_left_out = 0;  // pairs of an edge and a face, as the plan has them
+  std::uint64_t reflected_pairs_left_out = 0;   // pairs of an edge and mirrors by way of which light might reach it
   double work = 0.0;                            // counted (utd/wedge/work.h)
 };
 
 struct InteractionOptions {
-  int order = 3;                           // of the fringe currents
-  double tolerance = 0.0;                  // at which quadrature stops, as far as it can tell [m]
+  int order = 3;                           // order of the fringe currents
+  double tolerance = 0.0;                  // error at which quadrature stops, as far as it can tell [m]
   const NearAntennas* antennas = nullptr;  // at a finite distance, where S is as of these; none: plane waves
 };
 

@@ -252,7 +252,7 @@ struct EdgeIllumination::RowPieces {
   double weight, wavenumber;
   const PathPlace& place;
   std::vector<ImageEdge>& pieces;
-  ScatteringMatrix sum{};  // of those that were put
+  ScatteringMatrix sum{};  // the sum of those that were put
 
   void put(double position, ScatteringMatrix s) {
     const EdgeAxis& edge = *of.source_.edge;
@@ -262,7 +262,7 @@ struct EdgeIllumination::RowPieces {
     pieces.push_back({at, at, s *= weight});
   }
 
-  // Of amplitudes without their phase.
+  // Puts a wave by its amplitudes, which are without their phase.
   void put_wave(double position, const WaveIntegrals& sums) {
     ScatteringMatrix s = of.excited(on, sums, 0, wavenumber);
     put(position, s *= std::polar(1.0, wavenumber * (on.row.phase + on.row.phase_rate * position)));

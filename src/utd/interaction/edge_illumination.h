@@ -55,7 +55,7 @@ struct LitEdgePiece {
   const PlaneWave* wave;
   FaceIncidence incidence;  // on the first face
   double from, to;          // positions along the edge [m]
-  double weight = 1.0;      // of the wave
+  double weight = 1.0;      // what the wave counts
   double light = 1.0;       // share in it that a border of reflected light leaves, smooth across that border
   // [wavenumber] of the wave's two fields, where it has met other than perfect conductors; else empty.
   std::vector<ChannelWeights> by_surfaces{};
@@ -73,7 +73,7 @@ std::array<double, 2> corners_of(const LitEdgePiece& piece, const dvec3& directi
 
 /// The faces that edges may illuminate. What is referred to must outlive it.
 struct ReceivingFaces {
-  const FaceTree& tree;                        // of all faces: any of them may stand in the way
+  const FaceTree& tree;                        // all faces: any of them may stand in the way
   const std::vector<bool>& large;              // the patches that receive, and are mirrors
   std::span<const dvec3> corners;              // where the faces jump or bend as seen from an edge; may be left out
   std::span<const std::uint32_t> first_met{};  // the only patches from which waves of edges count, ascending; empty: all
@@ -87,7 +87,7 @@ inline constexpr int wave_components = 4;
 /// Rays over which their waves are summed up.
 struct ExcitedRays {
   const std::array<std::array<double, 2>, 2>& arriving;  // [transmit][soft, hard]: components of E at the edge
-  double area;                                           // of the face per position, azimuth and length of the ray, weighted
+  double area;                                           // area of the face per position, azimuth and length of the ray, weighted
   double sin_cone, cos_cone;
 };
 
@@ -144,7 +144,7 @@ class EdgeIllumination {
   struct Footprint {
     RayRow row;
     dvec3 base, step;                                            // points on the face, by position
-    double area;                                                 // of the face per position, azimuth and length of the ray
+    double area;                                                 // area of the face per position, azimuth and length of the ray
     std::array<std::array<double, wave_components>, 2> current;  // [receive]: p_hat . eta J per unit eta H along each direction
     std::vector<std::array<std::array<Complex, wave_components>, 2>> spectral{};  // [wavenumber] instead; empty: conductors alone
   };
@@ -178,10 +178,10 @@ class EdgeIllumination {
   RayFanTracer tracer_;
   std::array<std::vector<FanHit>, 3> hits_;        // by reflections left
   std::array<std::array<double, 2>, 2> arriving_;  // [transmit][soft, hard]: components of E at the edge
-  EdgeWaveTerms terms_;                            // of the azimuth at hand
+  EdgeWaveTerms terms_;                            // those of the azimuth at hand
   Band band_;
   const ChebyshevNodes* amplitudes_;                       // where the amplitudes of waves are found; null: at all wavenumbers
-  std::array<std::vector<ScatteringMatrix>, 2> at_nodes_;  // of the wave at hand, or of both ends of a stretch
+  std::array<std::vector<ScatteringMatrix>, 2> at_nodes_;  // those of the wave at hand, or of both ends of a stretch
   double work_ = 0.0;
 };
 

@@ -18,9 +18,9 @@ inline constexpr int most_reflections = 2;
 struct InteractionScene {
   EdgeScene edges;
   ReceivingFaces faces;                    // those that are large are mirrors, too
-  std::span<const EdgeAxis> axes;          // of edges that illuminate others; into edges.wedges
-  double shortest_axis = 0.0;              // of those that count [m]
-  std::span<const PatchExtent> extents{};  // of the mesh's patches; needed where the plan has not all pairs
+  std::span<const EdgeAxis> axes;          // those of edges that illuminate others; into edges.wedges
+  double shortest_axis = 0.0;              // the shortest axis that counts [m]
+  std::span<const PatchExtent> extents{};  // [patch]; needed where the plan has not all pairs
   const PairPlan& plan = all_pairs;        // pairs of these axes and faces
 };
 
@@ -47,7 +47,7 @@ struct EdgeLight {
   std::vector<ReflectedLook> looks_of(const ReflectedWave& wave, std::span<const LitEdgePiece> pieces) const;
 
   const InteractionScene& scene;
-  LookVectors look;  // of the middle of the mesh
+  LookVectors look;  // that of the middle of the mesh
   PlaneWave incident;
   std::vector<double> wavenumbers;  // [rad/m]
   double wavelength;                // the shortest [m]
@@ -55,7 +55,7 @@ struct EdgeLight {
   std::deque<ReflectedWave> reflected;
   std::vector<LitJob> jobs;
   double work = 0.0;                 // counted (utd/wedge/work.h)
-  std::uint64_t pairs_left_out = 0;  // of an edge and a sequence of mirrors
+  std::uint64_t pairs_left_out = 0;  // pairs of an edge and a sequence of mirrors
 
  private:
   void find_direct();

@@ -48,7 +48,7 @@ ChannelErrors worst_of(const std::vector<ChannelErrors>& errors) {
   return worst;
 }
 
-// Of many wavenumbers: panel by panel, each with as few as the paths in it ask for.
+// The density for many wavenumbers: panel by panel, each with as few as the paths in it ask for.
 template <class Illumination>
 class BandIllumination {
  public:

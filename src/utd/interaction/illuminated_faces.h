@@ -11,14 +11,14 @@ struct IlluminatedFaces {
   std::vector<ScatteringMatrix> scattering;  // per wavenumber [m]; phase reference: origin of the mesh's coordinates
   ChannelErrors error{};                     // estimated, of quadrature, at the worst of them [m]
   double work = 0.0;                         // counted (utd/wedge/work.h)
-  std::vector<ImageEdge> pieces{};           // of the only wavenumber, each at the place of its path, if asked for
+  std::vector<ImageEdge> pieces{};           // those of the only wavenumber, each at the place of its path, if asked for
 };
 
 struct IlluminationLimits {
   int reflections;                         // after the edge
   double tolerance;                        // at which the integral over the azimuth stops, as far as it can tell [m]
   std::span<const AzimuthRange> wanted{};  // where there is anything to illuminate; empty: all round
-  const PathPlace* place = nullptr;        // of pieces; null: none are asked for
+  const PathPlace* place = nullptr;        // where pieces are put; null: none are asked for
 };
 
 /// The integral of EdgeIllumination over all azimuths. Of many wavenumbers a few are computed if the paths of the rays differ by

@@ -16,8 +16,8 @@ std::vector<bool> mirrors_among(const FaceMaterials& materials, std::size_t freq
 /// The edges and faces of a target as edge-face interaction sees them at frequencies at which the same materials are mirrors.
 struct InteractionParts {
   std::vector<EdgeAxis> axes;          // that may illuminate others; they point into the wedges
-  std::vector<dvec3> corners;          // of the target; none if there are more than 200
-  std::vector<PatchExtent> patches;    // of the mesh
+  std::vector<dvec3> corners;          // those of the target; none if there are more than 200
+  std::vector<PatchExtent> patches;    // [patch]
   std::vector<std::uint32_t> by_area;  // those that let no waves through, the largest first
 
   InteractionParts() = default;
@@ -28,12 +28,12 @@ struct InteractionParts {
 
 /// Frequencies at which the same edges and faces count.
 struct InteractionGroup {
-  std::vector<std::size_t> indices;  // in the list of frequencies
+  std::vector<std::size_t> indices;  // places in the list of frequencies
   std::vector<double> frequencies;   // [Hz]
   double shortest_axis = 0.0;        // edges of a wavelength or more count [m]
-  std::size_t axes = 0;              // so many
+  std::size_t axes = 0;              // how many such edges there are
   std::size_t large_faces = 0;       // patches of at least a wavelength squared: the first of `by_area`
-  std::vector<bool> large;           // the same: others stand in the way, but neither receive waves nor reflect them
+  std::vector<bool> large;  // [patch], those large faces: others stand in the way, but neither receive waves nor reflect them
 };
 
 /// What of a target has no size that counts, at one frequency.

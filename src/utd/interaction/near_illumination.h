@@ -36,7 +36,7 @@ class NearIllumination {
   NearRowIntegral integral_;
   RayFanTracer tracer_;
   std::array<std::vector<FanHit>, 3> hits_;  // by reflections left
-  EdgeWaveTerms terms_{};                    // of the azimuth at hand
+  EdgeWaveTerms terms_{};                    // those of the azimuth at hand
 };
 
 }  // namespace raytube

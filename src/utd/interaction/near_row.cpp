@@ -19,7 +19,7 @@ constexpr double most_bend = 1.0;
 // Stretches of rays are halved so many times at most: they are 6e-8 of a row then.
 constexpr int most_halvings = 24;
 
-// Of eta H of a soft and of a hard wave, and of what their slopes add.
+// Directions of eta H of a soft and of a hard wave, and of what their slopes add.
 std::array<dvec3, 4> magnetic_directions(const NearRay& ray, const dvec3& across, const dvec3& turning, const dvec3& step) {
   return {-turning, ray.sin_cone * step - ray.cos_cone * across, across, turning};
 }

@@ -14,7 +14,7 @@ namespace raytube {
 
 /// The antenna as the edge's own half planes see it: rays of one azimuth come from one point, `distance` behind the edge's line.
 struct AntennaAtEdge {
-  double distance, along;  // of the antenna from the edge's line; its position along that [m]
+  double distance, along;  // how far the antenna is from the edge's line, and its position along that [m]
 
   AntennaAtEdge(const EdgeAxis& edge, const dvec3& antenna);
   double path_to(double position) const { return std::hypot(distance, position - along); }
@@ -24,10 +24,10 @@ struct AntennaAtEdge {
 
 /// Rays of one azimuth that meet one plane.
 struct NearRow {
-  RayFan fan;             // of them, from the image of the edge on
-  FanHit hit;             // of that plane
+  RayFan fan;             // the rays from the image of the edge on
+  FanHit hit;             // where they meet that plane
   dvec3 across, turning;  // images of rho_hat and phi_hat of the azimuth
-  dvec3 normal;           // of the plane, against the rays
+  dvec3 normal;           // that of the plane, against the rays
   const EdgeWaveTerms* terms;
   std::vector<MetFace> faces{};  // met so far, this plane's the last, where any of them is no perfect conductor; else empty
 };
@@ -38,7 +38,7 @@ struct NearRay {
   double parameter;  // L [m]
   double sin_cone, cos_cone;
   double spread;                                  // L / path
-  double area;                                    // of the plane per position, azimuth and path
+  double area;                                    // area of the plane per position, azimuth and path
   double phase;                                   // exponent / k of the whole way [m]
   std::array<std::array<double, 2>, 2> arriving;  // [transmit][soft, hard]: components of E at the edge
   std::array<std::array<double, 4>, 2> current;   // [receive][soft, hard, outwards, around]: p . eta J per unit eta H along each
@@ -63,7 +63,7 @@ class NearRowIntegral {
 
  private:
   struct Samples;
-  // Of the wavenumbers from `first` on, `end` no more.
+  // For the wavenumbers from `first` on, `end` no more.
   struct Indices {
     std::size_t first, end;
   };

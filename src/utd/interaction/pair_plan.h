@@ -13,21 +13,21 @@ namespace raytube {
 
 /// Where a patch is.
 struct PatchExtent {
-  std::vector<dvec3> corners;  // of its triangles [m]
+  std::vector<dvec3> corners;  // corners of its triangles [m]
   dvec3 centroid{0.0};         // [m]
   double area = 0.0;           // [m^2]
-  bool closed = false;         // of a closed body: met from outside only
+  bool closed = false;         // part of a closed body, met from outside only
 };
 
-/// Of all patches of a mesh.
+/// The extents of all patches of a mesh.
 std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh);
 
 /// The edges and faces of a target, some of which are large enough to make pairs.
 struct PairCandidates {
   std::span<const EdgeAxis> axes;
-  double shortest_axis;  // of those that count [m]
+  double shortest_axis;  // the shortest axis that counts [m]
   const TriangleMesh& mesh;
-  std::span<const PatchExtent> extents;    // of the mesh's patches
+  std::span<const PatchExtent> extents;    // [patch]
   std::span<const std::uint32_t> patches;  // that count
 };
 

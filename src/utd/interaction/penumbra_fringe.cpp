@@ -77,12 +77,12 @@ struct PenumbraFringe::ArrivingWave {
 struct PenumbraFringe::Way {
   LookVectors look;
   std::array<dvec3, 2> electric;
-  double phase;  // over k [m]
+  double phase;  // divided by k [m]
 };
 
 struct PenumbraFringe::RimPoint {
   EdgeRay ray;   // to it, its path counted in `phase`
-  double phase;  // over k [m]
+  double phase;  // divided by k [m]
   double share;
   ArrivingWave wave;
   EdgeAmplitude amplitude;
@@ -250,7 +250,7 @@ std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& s
                   place};
 }
 
-// Of a point source the wave is over that of a unit source, which falls as 1 / (s' + s).
+// The wave of a point source is over that of a unit source, which falls as 1 / (s' + s).
 PenumbraFringe::Way PenumbraFringe::way_over(const Source& source, const EdgeRay& ray, const dvec3& place) const {
   const PlaneWave& wave = *source.piece.wave;
   if (!wave.antennas) return {look_, wave.electric, glm::dot(look_.scattered, place) - wave.path - ray.path};
@@ -292,7 +292,7 @@ void PenumbraFringe::Panel::take_apart(const StraightEdge& source, double wavenu
   });
 }
 
-// Of the rays and of the waves over the ends of the lit piece.
+// The span of the paths of the rays and of the waves over the ends of the lit piece.
 PathSpan PenumbraFringe::Panel::paths() const {
   PathSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const std::optional<RimPoint>& point : points) {

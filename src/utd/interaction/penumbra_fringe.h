@@ -23,7 +23,7 @@ class PenumbraFringe {
   /// Adds S [m] of all rims that the waves of `source` reach, per wavenumber.
   void add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums);
 
-  /// The same at the only wavenumber, point by point of the rims; appended to `pieces`. Not counted.
+  /// Appends S at the only wavenumber, point by point of the rims, to `pieces`. Not counted.
   void take_apart(const LitEdgePiece& source, const PathPlace& place, std::vector<ImageEdge>& pieces) const;
 
   /// Adds what such a current of the edge of `lit` itself is under its own wave, times `weight`: the wave over another edge

@@ -13,7 +13,7 @@ constexpr double first_panel = 0.8, panel_growth = 4.0;
 // No panel is shorter than this, in wavelengths.
 constexpr double narrowest_panel = 1e-4;
 
-// In order, within the rim; those as good as one are one, and so are those at its ends [m].
+// The ends of panels in order, within the rim; those as good as one are one, and so are those at its ends [m].
 std::vector<double> joined(std::vector<double>& ends, double length, double wavelength) {
   const double apart = narrowest_panel * wavelength;
   std::erase_if(ends, [&](double end) { return !(end > apart && end < length - apart); });

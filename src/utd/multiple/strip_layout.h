@@ -65,8 +65,9 @@ struct StripLayout {
   std::vector<StripRow> rows{};   // [bundle]
   std::size_t arriving = 0;       // amplitudes at the ends of all strips
   IncidentFields incident{};
-  std::optional<ForwardPole> forward_pole{};  // of the first wave, if some of its strips are semi-infinite and near that pole
-  double fading_length = 0.0;                 // electrical length below which strips pass less soft current on
+  std::optional<ForwardPole>
+      forward_pole{};          // that of the first wave, if some of its strips are semi-infinite and near that pole
+  double fading_length = 0.0;  // electrical length below which strips pass less soft current on
 
   std::span<const StripRow> rows_of(const TreeWave& wave) const {
     return std::span(rows).subspan(wave.first_bundle, wave.end_bundle - wave.first_bundle);

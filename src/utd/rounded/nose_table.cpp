@@ -48,7 +48,7 @@ class Nodes {
 
 struct Between {
   int first;
-  double weight;  // of the node after `first`
+  double weight;  // what the node after `first` counts
   Between(double place, int count) {
     const double inside = std::clamp(place, 0.0, count - 1.0);
     first = std::min(static_cast<int>(inside), count - 2);

@@ -21,8 +21,8 @@ std::array<dvec3, 2> axes_across(const dvec3& direction) {
 }
 
 // A line grazes a wedge if it runs through free space on both sides of the edge: if one of the faces is turned towards it and the
-// other one away. A shadow never ends at a concave edge. A direction within 1e-3 of a face's plane may lie on
-// either side of it.
+// other one away. A shadow never ends at a concave edge. A direction within 1e-3 of a face's plane may lie
+// on either side of it.
 bool on_silhouette(const Wedge& wedge, const dvec3& direction) {
   const double first = glm::dot(wedge.faces[0].normal, direction), second = glm::dot(wedge.faces[1].normal, direction);
   return wedge.convex() && std::min(first, second) < 1e-3 && std::max(first, second) > -1e-3;

@@ -99,7 +99,7 @@ double EdgeVisibility::Probe::transition(double lit_end, double dark_end, std::u
 
 namespace {
 
-// Two test points for each wavelength.
+// Two test points for each wavelength, 8 to 128 of them.
 int point_count(double length, double wavelength) {
   const double wanted = std::ceil(2 * length / wavelength) + 1;
   return static_cast<int>(std::clamp(wanted, 8.0, 128.0));

@@ -9,7 +9,7 @@ namespace raytube {
 
 namespace {
 
-// The |b| below which the two channels are apart: the wave is met across its rim.
+// The |b| below which a wave meets the rim at a right angle: there the two channels are apart.
 constexpr double normal_incidence = 1e-7;
 
 SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
@@ -18,8 +18,7 @@ SplitFunction curl_split(const SheetAdmittance& y, double sin_cone) {
 }
 
 // The tilt of the branch cut that keeps it away from guided waves, but for those within 1e-6 of the branch point, as metals have
-// them, which carry nothing; further down, waves at a rim that is not parallel would come
-// from both sides of their root.
+// them, which carry nothing; further down, waves at a rim that is not parallel would come from both sides of their root.
 double widest_gap(const SplitFunction& function, double slowest) {
   std::vector<double> angles;
   for (const double tilt : {0.0, 1.2})

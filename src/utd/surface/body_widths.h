@@ -7,8 +7,8 @@
 
 namespace raytube {
 
-/// Of each component: twice the largest distance of its points from the line through their mean and the farthest of them [m]. Of
-/// a spheroid its lesser axis, of a wing more than its chord.
+/// The width of each component [m]: twice the largest distance of its points from the line through their mean and the farthest of
+/// them. A spheroid has that of its lesser axis, a wing more than its chord.
 std::vector<double> body_widths(const TriangleMesh& mesh);
 
 /// What a body so wide, times the wavenumber, keeps of waves over it: all from 6 on, nothing below 4. There m = (width / 4)^(1/3)

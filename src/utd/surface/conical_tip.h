@@ -11,7 +11,7 @@ struct ConicalTip {
   dvec3 position, outwards;  // the axis, unit
   double half_angle;         // [rad]
 
-  /// Of the cone, at a point of it.
+  /// The radius of the cone at a point of it.
   double radius_at(const dvec3& point) const { return std::sin(half_angle) * glm::distance(position, point); }
 };
 

@@ -47,9 +47,9 @@ class CurvedFaces {
   void find_sides(std::uint32_t triangle, int corner, std::span<const Wedge> wedges, std::span<const WedgeSide> of_patch);
 
   const CurvedTarget& target_;
-  std::vector<Line> lines_;                              // of the wedges
-  std::vector<std::vector<FacetSide>> sides_;            // at 2 wedge + face
-  std::unordered_map<std::size_t, WedgeSide> wedge_at_;  // at 2 (3 triangle + corner) + back
+  std::vector<Line> lines_;                              // [wedge]
+  std::vector<std::vector<FacetSide>> sides_;            // [2 wedge + face]
+  std::unordered_map<std::size_t, WedgeSide> wedge_at_;  // [2 (3 triangle + corner) + back]
 };
 
 }  // namespace raytube

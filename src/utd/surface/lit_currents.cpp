@@ -67,7 +67,7 @@ class LitSide {
       const dvec2 l = middle(parts[i]);
       const dvec3 position = facet.surface.point(l), incident = look_.incident(position);
       const LitFrame frame(target_.frame(facet.triangle, l, facet.side), incident);
-      // Of a facet whose middle is beyond xi = -7 nothing is nearer to the shadow boundary than least_lit.
+      // A facet whose middle is beyond xi = -7 has nothing that is nearer to the shadow boundary than least_lit.
       if (frame.distance(lowest_) > -7.0 && target_.is_lit(position, frame.normal, incident))
         add_part(facet, frame, -glm::dot(frame.normal, incident), parts[i]);
     }

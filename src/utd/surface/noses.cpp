@@ -82,7 +82,7 @@ class NoseFinder {
     double angle(const dvec3& n) const { return std::atan2(glm::dot(n, across), glm::dot(n, normal)); }
   };
 
-  // Over 400 facets at most.
+  // The walk is over 400 facets at most.
   SectionWalk walk(const FacetPoint& start, const Plane& plane, double way) const {
     Geodesic geodesic(mesh_, surfaces_, curvatures_, start, way * plane.across);
     GeodesicPiece piece{start, start.l, way * plane.across};

@@ -21,7 +21,7 @@ inline constexpr double steepest_flank = 84 * degree;
 /// The section across a bend as a conic (utd/rounded/conic_section), found from one facet of it.
 struct Nose {
   dvec3 position, outwards, along;  // of its nose: place [m], normal, and direction of the edge
-  double radius = 0.0;              // of curvature at the nose [m]; 0: there is none
+  double radius = 0.0;              // radius of curvature there [m]; 0: there is no nose
   double flattening = 0.0;          // e
   double bend = 0.0;                // curvature of the edge times `radius`
   double angle = 0.0;               // theta of the facet

@@ -52,7 +52,7 @@ class StripSum {
   BandSum& sum_;
   const double half_span_;
   StripPlaces* places_;
-  double path_ = 0.0, width_ = 0.0;  // of the last point
+  double path_ = 0.0, width_ = 0.0;  // those of the last point
   dvec3 position_{0.0}, start_{0.0};
   std::vector<ScatteringMatrix> amplitude_;
 };

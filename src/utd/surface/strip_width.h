@@ -11,7 +11,7 @@ namespace raytube {
 struct StripWidth {
   double width, slope = 0.0;
   int caustics = 0;                      // passed
-  static constexpr double small = 1e-3;  // of K h^2, where two terms of cosine and sine are enough
+  static constexpr double small = 1e-3;  // the K h^2 up to which two terms of cosine and sine are enough
 
   void step(double gaussian, double h) {
     const double turn = gaussian * h * h;

@@ -163,7 +163,8 @@ EdgeWaveIntegral::Samples EdgeWaveIntegral::beside_corner(const RayRow& row, con
     samples.root[i] = sin_cone_ * std::sqrt(k * path[i]);
     const double along = beyond + path[i] * cos_cone_, across = path[i] * sin_cone_;
     const double both = std::sqrt(along * along + across * across) + path[i];
-    const double longer = both > 0.0 ? beyond * (along + path[i] * cos_cone_) / both : 0.0;  // over the corner than the ray
+    const double longer =
+        both > 0.0 ? beyond * (along + path[i] * cos_cone_) / both : 0.0;  // the way over the corner is than the ray
     detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
     x[i] = std::sqrt(detour[i]);
   }

@@ -14,8 +14,8 @@ struct RayRow {
   double phase = 0.0, phase_rate = 0.0;  // exponent / k there
 };
 
-/// Of waves u e^{-jk s}, s the length of a ray and rho = s sin(beta0): the integrals over z of s e^{jk phase} times u, and times
-/// rho du/d(rho) / sin(beta0) and du/d(azimuth) / sin(beta0), the slopes that a ray does without.
+/// Sums of waves u e^{-jk s}, s the length of a ray and rho = s sin(beta0): the integrals over z of s e^{jk phase} times
+/// u, and times rho du/d(rho) / sin(beta0) and du/d(azimuth) / sin(beta0), the slopes that a ray does without.
 struct WaveSums {
   Complex value, outwards, around;
 
@@ -47,7 +47,7 @@ class EdgeWaveIntegral {
   /// At the wavenumber k [rad/m].
   WaveIntegrals over(const RayRow& row, double k) const;
 
-  /// The same in parts: what is beside the ends of the edge, and stretches of the rays between them, as k asks for. Over each of
+  /// The sums in parts: what is beside the ends of the edge, and stretches of the rays between them, as k asks for. Over each of
   /// these the integral is e^{jk phase} times `whole`, with the phase of its middle, or the sum of two such terms, of its `ends`.
   /// Their amplitudes change slowly with k: those of `ends` where the phase turns by at least `least_turn` between middle and
   /// end, and otherwise `whole`, which turns by no more.

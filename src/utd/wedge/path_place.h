@@ -5,9 +5,9 @@
 
 namespace raytube {
 
-/// Of waves back to where they came from. A path that light begins at one point and that ends at another, and whose length is
-/// stationary at all between, changes with the direction as 2 k times the middle of both: the place lies there across, and where
-/// the path says along the line of sight. Light that comes over mirrors begins at the image in these.
+/// The place of waves that come back to where they came from. A path that light begins at one point and that ends at another, and
+/// whose length is stationary at all between, changes with the direction as 2 k times the middle of both: the place lies there
+/// across, and where the path says along the line of sight. Light that comes over mirrors begins at the image in these.
 struct PathPlace {
   dvec3 towards;         // the radar
   glm::dmat3 turn{1.0};  // a point's image is turn point + shift
