@@ -131,8 +131,8 @@ std::optional<PhaseRange> EdgeIllumination::survey(double azimuth) {
 double EdgeIllumination::margin(double way) const {
   const FaceIncidence& in = source_.incidence;
   const double k = least_wavenumber(wavenumbers_), inside = 2 * (1 + reflections_) * tree_.mesh().radius;
-  const double first = edge_row::reach(inside, k, way * in.cos_cone, in.sin_cone);
-  return edge_row::reach(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
+  const double first = edge_row::followed_length(inside, k, way * in.cos_cone, in.sin_cone);
+  return edge_row::followed_length(inside + 2 * first, k, way * in.cos_cone, in.sin_cone);
 }
 
 EdgeIllumination::Rays EdgeIllumination::diffracted_rays(double azimuth) const {

@@ -31,7 +31,7 @@ NearRow NearIllumination::diffracted_rays(double azimuth) const {
 double NearIllumination::margin(double position, double way) const {
   const double k = least_wavenumber(wavenumbers_), inside = 2 * (1 + reflections_) * faces_.tree.mesh().radius;
   const double cosine = way * antenna_.cos_cone(position), sine = antenna_.sin_cone(position);
-  return edge_row::reach(inside + 2 * edge_row::reach(inside, k, cosine, sine), k, cosine, sine);
+  return edge_row::followed_length(inside + 2 * edge_row::followed_length(inside, k, cosine, sine), k, cosine, sine);
 }
 
 // Calls visit(row) wherever the rays arrive.

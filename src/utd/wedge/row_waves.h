@@ -36,7 +36,7 @@ inline constexpr double most_root_detour = 3.0;
 /// How far from an end a wave is followed, for rays up to this long [m]; `cosine` is cos(beta0) towards greater positions, and
 /// its negative towards smaller ones. There the way over the end is longer than the ray by d = most_root_detour^2 / k: a
 /// quadratic equation.
-inline double reach(double path, double k, double cosine, double sin_cone) {
+inline double followed_length(double path, double k, double cosine, double sin_cone) {
   const double d = most_root_detour * most_root_detour / k, square = sin_cone * sin_cone;
   return (d * cosine + std::sqrt(d * d + 2 * d * path * square)) / square;
 }
@@ -60,8 +60,8 @@ struct EndRay {
 template <class Visit>
 void visit_beside(const EndRay& end, double inwards, double from, double to, double k, Visit visit) {
   for (const double side : {-1.0, 1.0}) {
-    const double way = side * inwards, far = reach(end.longest, k, way * end.cos_cone, end.sin_cone);
-    const double near = std::min(reach(end.path, k, way * end.cos_cone, end.sin_cone), far);
+    const double way = side * inwards, far = followed_length(end.longest, k, way * end.cos_cone, end.sin_cone);
+    const double near = std::min(followed_length(end.path, k, way * end.cos_cone, end.sin_cone), far);
     const std::array<double, 4> parts{0.0, near / 2, near, far};
     for (std::size_t i = 1; i < parts.size(); ++i) {
       const double start = end.position + way * parts[i - 1], stop = end.position + way * parts[i];
