@@ -181,7 +181,7 @@ bool CornerWaves::any(CornerWaveKind wanted) const {
   return false;
 }
 
-double CornerWaves::Edge::reach(double wavenumber) const { return sheet_share(thickness, wavenumber, length); }
+double CornerWaves::Edge::length_weight(double wavenumber) const { return sheet_share(thickness, wavenumber, length); }
 
 double CornerWaves::part(std::uint32_t wedge, const dvec3& incident) const {
   if (!edges_[wedge]) return 1.0;
@@ -253,7 +253,7 @@ void CornerWaves::add_both_ways(const AnyEdge& edge, double share, const std::ar
                                 std::span<const double> frequencies, std::span<ScatteringMatrix> sum) {
   const auto weight = [&](int from, double k) {
     return edge.ends[from].weight(-visits[from].look.incident, k, edge.length) *
-           edge.ends[1 - from].weight(visits[1 - from].look.scattered, k, edge.length) * edge.reach(k);
+           edge.ends[1 - from].weight(visits[1 - from].look.scattered, k, edge.length) * edge.length_weight(k);
   };
   const auto matters = [&](double f) {
     return weight(0, wavenumber(f)) >= least_weight || weight(1, wavenumber(f)) >= least_weight;

@@ -114,7 +114,8 @@ class CornerWaves {
     dvec3 outwards{0.0}, towards{0.0};
     static constexpr double n = 2.0;  // exterior angle / pi
 
-    double reach(double wavenumber) const;
+    /// How much of a wave runs along it, by its length and thickness.
+    double length_weight(double wavenumber) const;
   };
   class Finder;
 

@@ -64,7 +64,7 @@ bool SolidEnd::sees(const dvec3& towards) const {
   return turned_to(0, 1) || turned_to(1, 2) || turned_to(2, 0);
 }
 
-double SolidEdge::reach(double wavenumber) const { return smooth_step(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
+double SolidEdge::length_weight(double wavenumber) const { return smooth_step(2.0 - wavenumber * length / (2.0 * pi * 20.0)); }
 
 /// Looks for the corners between which edges run.
 class SolidEdges::Finder {

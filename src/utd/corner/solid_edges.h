@@ -58,7 +58,7 @@ struct SolidEdge {
   static constexpr dvec3 outwards{0.0};
 
   /// 1 up to 20 wavelengths, none from 40 on, where the wave is a few hundredths of what its corners scatter.
-  double reach(double wavenumber) const;
+  double length_weight(double wavenumber) const;
 };
 
 /// The edges of conducting solids that end, at both ends, where three edges meet and nothing else, each 45 to 165 degrees
