@@ -35,12 +35,7 @@ struct CurvedTarget {
         convex(is_convex) {}
 
   /// At barycentric coordinates of a triangle, seen from one of its sides: 1 its front, -1 its back.
-  SurfaceFrame frame(std::uint32_t triangle, const dvec2& l, double side) const {
-    SurfaceFrame frame = curvatures.at(triangle, l);
-    frame.normal *= side;
-    frame.normal_turn *= side;
-    return frame;
-  }
+  SurfaceFrame frame(std::uint32_t triangle, const dvec2& l, double side) const { return curvatures.at(triangle, l).from(side); }
 
   /// What a body keeps of waves over it for its width.
   double width_share(std::uint32_t component, double wavenumber) const { return share_of_width(widths[component] * wavenumber); }

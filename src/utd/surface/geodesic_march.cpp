@@ -13,16 +13,16 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
     : target_(target),
       side_(side),
       sampling_(sampling),
-      geodesic_(target.tracer.mesh(), target.surfaces, target.curvatures, start, direction),
+      geodesic_(target.curvatures, start, direction),
       piece_{start, start.l, direction},
-      piece_to_(target.surfaces.facet(start.triangle).point(start.l)),
+      piece_to_(target.curvatures.facet(start.triangle).shape.point(start.l)),
       at_(start.l),
       widest_(widest_march * begin.width),
       width_(begin) {
   stand_at(start.l, 0.0);
 }
 
-dvec3 GeodesicMarch::position() const { return target_.surfaces.facet(piece_.from.triangle).point(at_); }
+dvec3 GeodesicMarch::position() const { return target_.curvatures.facet(piece_.from.triangle).shape.point(at_); }
 
 // No number is lost, too: widths at a sliver may overflow.
 bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_); }
@@ -42,7 +42,7 @@ bool GeodesicMarch::march_to(double distance) {
 
 bool GeodesicMarch::next_piece() {
   for (GeodesicPiece piece; geodesic_.next(piece);) {
-    const dvec3 to = target_.surfaces.facet(piece.from.triangle).point(piece.to);
+    const dvec3 to = target_.curvatures.facet(piece.from.triangle).shape.point(piece.to);
     const double chord = glm::distance(piece_to_, to);
     piece_ = piece;
     piece_to_ = to;

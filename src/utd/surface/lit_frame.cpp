@@ -31,7 +31,7 @@ LitFrame::LitFrame(const SurfaceFrame& frame, const dvec3& incident_direction) :
   const dvec3 v = across(incident_direction, normal), u = glm::cross(v, incident_direction);
   const auto tangent = [&](const dvec3& w) { return w - (glm::dot(normal, w) / -cosine) * incident_direction; };
   const dvec3 a = tangent(u), b = tangent(v);
-  const double uu = frame.curvature(a), uv = glm::dot(a, frame.normal_turn * b), vv = frame.curvature(b);
+  const double uu = frame.curvature(a), uv = glm::dot(a, frame.turn(b)), vv = frame.curvature(b);
   const double mean = 0.5 * (uu + vv), half = 0.5 * (uu - vv), radius = std::sqrt(half * half + uv * uv);
   // (half, uv) / radius are cosine and sine of twice the angle from u to the axis
   const double share = radius > 0.0 ? 0.5 * (1.0 + std::abs(half) / radius) : 1.0;

@@ -46,8 +46,7 @@ struct Principal {
 Principal principal_at(const SurfaceFrame& frame) {
   const dvec3 u = glm::normalize(glm::cross(frame.normal, std::abs(frame.normal.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
   const dvec3 v = glm::cross(frame.normal, u);
-  const double uu = frame.curvature(u), vv = frame.curvature(v),
-               uv = 0.5 * (glm::dot(u, frame.normal_turn * v) + glm::dot(v, frame.normal_turn * u));
+  const double uu = frame.curvature(u), vv = frame.curvature(v), uv = glm::dot(u, frame.turn(v));
   const double half = 0.5 * (uu - vv), radius = std::hypot(half, uv), angle = 0.5 * std::atan2(uv, half);
   return {std::cos(angle) * u + std::sin(angle) * v, 0.5 * (uu + vv) + radius, 0.5 * (uu + vv) - radius};
 }
@@ -84,7 +83,7 @@ class NoseFinder {
 
   // The walk is over 400 facets at most.
   SectionWalk walk(const FacetPoint& start, const Plane& plane, double way) const {
-    Geodesic geodesic(mesh_, surfaces_, curvatures_, start, way * plane.across);
+    Geodesic geodesic(curvatures_, start, way * plane.across);
     GeodesicPiece piece{start, start.l, way * plane.across};
     SectionWalk walked;
     for (int i = 0; i < 400 && geodesic.next(piece); ++i)

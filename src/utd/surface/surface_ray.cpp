@@ -19,25 +19,8 @@ double arc_over(double chord, double curvature) {
   return chord * std::min(1.0 + turn * turn / 24.0, pi / 2);
 }
 
-Geodesic::Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
-                   const FacetPoint& start, const dvec3& direction)
-    : mesh_(mesh), surfaces_(surfaces), curvatures_(curvatures), at_(start), tangent_(direction) {}
-
-dvec3 Geodesic::normal() const {
-  const std::array<double, 3> l = all_three(at_.l);
-  dvec3 sum(0.0);
-  for (int c = 0; c < 3; ++c) sum += l[c] * curvatures_.normal(at_.triangle, c);
-  return sum;
-}
-
-// How the barycentric coordinates change per metre along a vector of the facet's plane.
-dvec2 Geodesic::barycentric(const dvec3& along) const {
-  const Triangle& t = mesh_.triangles[at_.triangle];
-  const dvec3 a = mesh_.vertices[t[1]] - mesh_.vertices[t[0]], b = mesh_.vertices[t[2]] - mesh_.vertices[t[0]];
-  const dvec3 across = glm::cross(a, b);
-  const double square = glm::dot(across, across);
-  return {glm::dot(glm::cross(along, b), across) / square, glm::dot(glm::cross(a, along), across) / square};
-}
+Geodesic::Geodesic(const CurvatureField& curvatures, const FacetPoint& start, const dvec3& direction)
+    : curvatures_(curvatures), at_(start), tangent_(direction) {}
 
 // Over the side opposite to the corner whose coordinate falls to zero first.
 Geodesic::Exit Geodesic::exit(const dvec2& rate) const {
@@ -57,37 +40,28 @@ Geodesic::Exit Geodesic::exit(const dvec2& rate) const {
 bool Geodesic::next(GeodesicPiece& piece) {
   constexpr int most_around_a_vertex = 64;
   if (ended_ || standing_ > most_around_a_vertex) return false;
-  const dvec3 n = normal(), plane = mesh_.patch_of(at_.triangle).normal;
+  const CurvedFacet& facet = curvatures_.facet(at_.triangle);
+  const dvec3 n = curvatures_.normal(facet, at_.l), &plane = facet.plane_normal;
   const double square = glm::dot(n, n), facing = glm::dot(n, plane);
   tangent_ = glm::normalize(tangent_ - (glm::dot(tangent_, n) / square) * n);
   if (facing < 0.2 * std::sqrt(square)) return false;  // normals that have nothing to do with the facet
   const dvec3 direction = glm::normalize(tangent_ - (glm::dot(tangent_, plane) / facing) * n);
-  const dvec2 rate = barycentric(direction);
+  const dvec2 rate(glm::dot(direction, facet.gradient_1), glm::dot(direction, facet.gradient_2));
   const Exit way = exit(rate);
   if (way.side < 0) return false;
   piece = {at_, at_.l + way.length * rate, direction};
   standing_ = way.length > 0.0 ? 0 : standing_ + 1;
-  const std::array<double, 3> left = all_three(piece.to);
-  ended_ = surfaces_.on_boundary(at_.triangle, way.side);
-  if (ended_)
-    entered_ = way.side;
-  else
-    enter(way.side, std::clamp(left[(way.side + 1) % 3], 0.0, 1.0));
-  return true;
-}
-
-// Over side `corner` of the triangle, at `share` of it.
-void Geodesic::enter(int corner, double share) {
-  const EdgeTable::Edge edge = mesh_.edges()[mesh_.edges().edge_of(at_.triangle, corner)];
-  const EdgeTable::Side& other = edge.beside(at_.triangle);
-  const Triangle &t = mesh_.triangles[at_.triangle], &u = mesh_.triangles[other.triangle];
-  const int from = static_cast<int>(other.corner), to = (from + 1) % 3;
-  const double part = u[from] == t[corner] ? share : 1.0 - share;
+  const CurvedFacet::Neighbour& next = facet.beyond[way.side];
+  ended_ = next.triangle == no_index;
+  entered_ = ended_ ? way.side : static_cast<int>(next.corner);
+  if (ended_) return true;
+  // The neighbour runs along the side in the opposite sense.
+  const double share = std::clamp(all_three(piece.to)[(way.side + 1) % 3], 0.0, 1.0);
   std::array<double, 3> l{};
-  l[from] = 1.0 - part;
-  l[to] = part;
-  at_ = {other.triangle, {l[1], l[2]}};
-  entered_ = from;
+  l[next.corner] = share;
+  l[(next.corner + 1) % 3] = 1.0 - share;
+  at_ = {next.triangle, {l[1], l[2]}};
+  return true;
 }
 
 }  // namespace raytube

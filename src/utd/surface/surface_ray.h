@@ -24,11 +24,10 @@ double arc_over(double chord, double curvature);
 
 /// A geodesic of a curved surface over its facets: in the plane of its tangent and of the normal on each of them, and with the
 /// tangent carried along by the normals, which are the same on both sides of an edge and all round a vertex. So no path hangs on
-/// which facet a point on an edge is counted to. Ends where the surface does. Keeps references to its arguments.
+/// which facet a point on an edge is counted to. Ends where the surface does. Keeps a reference to the field.
 class Geodesic {
  public:
-  Geodesic(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures, const FacetPoint& start,
-           const dvec3& direction);
+  Geodesic(const CurvatureField& curvatures, const FacetPoint& start, const dvec3& direction);
 
   /// The next piece, false if there is none.
   bool next(GeodesicPiece& piece);
@@ -42,12 +41,7 @@ class Geodesic {
     double length = 0.0;
   };
   Exit exit(const dvec2& rate) const;
-  void enter(int corner, double share);
-  dvec2 barycentric(const dvec3& along) const;
-  dvec3 normal() const;  // not of unit length
 
-  const TriangleMesh& mesh_;
-  const SmoothSurfaces& surfaces_;
   const CurvatureField& curvatures_;
   FacetPoint at_;
   dvec3 tangent_;

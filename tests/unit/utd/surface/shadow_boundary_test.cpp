@@ -15,12 +15,7 @@ namespace raytube {
 namespace {
 
 // Convex, about an axis along z, seen at its point in direction x.
-SurfaceFrame bent(double along_y, double along_z) {
-  glm::dmat3 turn(0.0);
-  turn[1][1] = along_y;
-  turn[2][2] = along_z;
-  return {dvec3(1, 0, 0), turn};
-}
+SurfaceFrame bent(double along_y, double along_z) { return {dvec3(1, 0, 0), dvec3(0, along_y, along_z)}; }
 
 TEST(LitFrame, IsThatOfAnObliqueCylinder) {
   // A cylinder of radius 2 is a plane problem for k sin b': |xi| = (k sin b' R / 2)^(1/3) cos(theta) / sin b', and waves with E

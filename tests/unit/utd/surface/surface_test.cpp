@@ -40,7 +40,7 @@ TEST(Geodesic, GoesRoundASphereInItsPlane) {
   const dvec3 start = (a + b + c) / 3.0, along = glm::normalize(b - 0.3 * a - 0.7 * c);
   const dvec3 across = glm::normalize(glm::cross(start, along));
   const CurvatureField field(sphere.loaded.mesh, smooth);
-  Geodesic geodesic(sphere.loaded.mesh, smooth, field, {5, {1.0 / 3, 1.0 / 3}}, along);
+  Geodesic geodesic(field, {5, {1.0 / 3, 1.0 / 3}}, along);
   GeodesicPiece piece;
   double length = 0.0, off = 0.0;
   while (length < 2 * pi && geodesic.next(piece)) {
