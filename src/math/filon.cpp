@@ -104,12 +104,18 @@ FilonRule::Ends FilonRule::end_weights(double theta) const {
   return result;
 }
 
-FilonStep filon_step(double phase_from, double phase_to) {
-  constexpr double small = 1e-2;
-  const double u = 0.5 * (phase_to - phase_from);
-  const double odd = std::abs(u) < small ? u * (1.0 / 3.0 - u * u / 30.0) : (std::sin(u) / u - std::cos(u)) / u;
-  const Complex middle = std::polar(0.5, 0.5 * (phase_from + phase_to));
-  return {middle * sinc(u), middle * Complex(0, odd)};
+// With 2u the phase's change, even is the mean of the ends times tan(u) / 2u and odd the same times j (tan(u) / u - 1) / 2u: by
+// the series of the tangent, as far as rounding, where the ends nearly cancel.
+FilonStep filon_step(double phase_from, double phase_to, Complex at_from, Complex at_to) {
+  constexpr double small = 0.1;
+  const double u = 0.5 * (phase_to - phase_from), u2 = u * u;
+  const Complex quarter = 0.25 * (at_from + at_to);
+  if (std::abs(u) >= small) {
+    const Complex even = Complex(0, -0.25 / u) * (at_to - at_from);
+    return {even, Complex(0, 1 / u) * (even - quarter)};
+  }
+  const double more = 1.0 / 3 + u2 * (2.0 / 15 + u2 * (17.0 / 315 + u2 * (62.0 / 2835 + u2 * (1382.0 / 155925))));
+  return {(1.0 + u2 * more) * quarter, Complex(0, u * more) * quarter};
 }
 
 }  // namespace raytube

@@ -30,10 +30,10 @@ class FilonRule {
 };
 
 /// The integral of amplitude e^{j phase} over a step on which both are linear, the amplitude from a to b: the step's length times
-/// even (a + b) + odd (b - a).
+/// even (a + b) + odd (b - a). From e^{j phase} at the step's two ends, and the phases themselves.
 struct FilonStep {
   Complex even, odd;
 };
-FilonStep filon_step(double phase_from, double phase_to);
+FilonStep filon_step(double phase_from, double phase_to, Complex at_from, Complex at_to);
 
 }  // namespace raytube

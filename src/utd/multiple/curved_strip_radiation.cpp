@@ -13,40 +13,29 @@ namespace {
 
 constexpr double soft_tip = 1.0 / 30;  // electrical length below which strips pass less soft current on
 
-/// What a node radiates per unit of its root, for unit H and E along the edge, per receive polarisation; and what arrives there.
+/// At a node, what the strip's currents and its curvature and width make of unit waves; `root` is that of its electrical length.
 struct NodeCurrent {
-  std::array<Complex, 2> magnetic{}, electric{};
-  Complex end, soft_end;
+  double root;
+  Complex hard, axial, soft;
 };
 
-NodeCurrent current_at(const StripNode& node, const StripWave& wave, double root_rate, double cube_root_of_k, Complex hard,
-                       Complex axial, Complex soft) {
-  const double root = root_rate * node.root;
-  const EdgeFactors factors = edge_factors(cube_root_of_k * node.bend);
-  const Complex area = std::polar(node.area, 0.5 * pi * node.caustics);
-  const Complex across = area * factors.hard * hard * (root_rate * root);
-  const Complex along = area * factors.hard * axial * (root_rate * wave.incidence.cos_cone);
-  const Complex electric = area * factors.soft * soft * root_rate;
-  NodeCurrent current;
-  for (int p = 0; p < 2; ++p) {
-    current.magnetic[p] = across * node.across[p] + along * node.along[p];
-    current.electric[p] = electric * node.along[p];
-  }
-  current.end = Complex(0, 1) * area * factors.hard * hard;
-  current.soft_end = root > 0.0 ? Complex(0, 1 / root) * area * factors.soft * soft : 0.0;
-  return current;
+NodeCurrent current_at(const StripNode& node, double root, double xi, Complex hard, Complex axial, Complex soft) {
+  constexpr Complex quarter_turns[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  const EdgeFactors factors = edge_factors(xi);
+  const Complex area = node.area * quarter_turns[node.caustics % 4], of_hard = area * factors.hard;
+  return {root, of_hard * hard, of_hard * axial, area * factors.soft * soft};
 }
 
-/// Integrals over a piece of a strip, for unit H and E along its edge.
+/// Integrals over a piece of a strip, for unit H and E along its edge, per receive polarisation.
 struct StripIntegral {
   std::array<Complex, 2> magnetic{}, electric{};
 
-  void add_step(const NodeCurrent& a, const NodeCurrent& b, double step, double phase_a, double phase_b) {
-    const FilonStep filon = filon_step(phase_a, phase_b);
-    const Complex even = step * filon.even, odd = step * filon.odd;
+  void add_node(const StripNode& node, const NodeCurrent& current, double cos_cone, Complex weight) {
+    const Complex hard = current.root * weight * current.hard, axial = cos_cone * weight * current.axial;
+    const Complex soft = weight * current.soft;
     for (int p = 0; p < 2; ++p) {
-      magnetic[p] += even * (a.magnetic[p] + b.magnetic[p]) + odd * (b.magnetic[p] - a.magnetic[p]);
-      electric[p] += even * (a.electric[p] + b.electric[p]) + odd * (b.electric[p] - a.electric[p]);
+      magnetic[p] += hard * node.across[p] + axial * node.along[p];
+      electric[p] += soft * node.along[p];
     }
   }
 
@@ -96,26 +85,37 @@ class StripSumInBins {
 
   StripEnd add_curved(const StripPath& path) {
     const double k = wavenumber_, rate = std::sqrt(2 * k) * path.wave.incidence.sin_cone, cube_root_of_k = std::cbrt(k);
-    NodeCurrent before;
+    const double cos_cone = path.wave.incidence.cos_cone;
+    NodeCurrent last{};
+    Complex phase;
     for (std::size_t first = 0; first < path.nodes.size(); first += lanes) {
       const std::size_t count = std::min(lanes, path.nodes.size() - first);
-      Reals root;
-      for (std::size_t i = 0; i < lanes; ++i) root[i] = rate * path.nodes[first + std::min(i, count - 1)].root;
+      Reals root, angle;
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const StripNode& node = path.nodes[first + std::min(i, count - 1)];
+        root[i] = rate * node.root, angle[i] = k * node.path;
+      }
       const Strip::Currents currents = path.strip.currents(root);
+      const Complexes phases = unit_phasors(angle);
       for (std::size_t i = 0; i < count; ++i) {
         const StripNode& node = path.nodes[first + i];
-        const NodeCurrent here = current_at(node, path.wave, rate, cube_root_of_k, currents.hard[i], currents.axial[i], currents.soft[i]);
+        const NodeCurrent here =
+            current_at(node, root[i], cube_root_of_k * node.bend, currents.hard[i], currents.axial[i], currents.soft[i]);
         if (first + i > 0) {
-          const StripNode& last = path.nodes[first + i - 1];
-          at(0.5 * (last.path + node.path)).add_step(before, here, node.root - last.root, k * last.path, k * node.path);
+          const StripNode& before = path.nodes[first + i - 1];
+          const FilonStep filon = filon_step(k * before.path, angle[i], phase, phases[i]);
+          const double step = root[i] - last.root;
+          StripIntegral& sum = at(0.5 * (before.path + node.path));
+          sum.add_node(before, last, cos_cone, step * (filon.even - filon.odd));
+          sum.add_node(node, here, cos_cone, step * (filon.even + filon.odd));
         }
-        before = here;
+        last = here, phase = phases[i];
       }
     }
-    const double length = 0.5 * std::pow(rate * path.nodes.back().root, 2);
+    const double length = 0.5 * last.root * last.root;
     at(0.0).add_kernels(path, path.strip.local_part(), -std::expm1(-length));
-    const Complex phase = std::polar(1.0, k * path.nodes.back().path);
-    return {phase * before.end, phase * before.soft_end * -std::expm1(-length / soft_tip)};
+    const Complex end = Complex(0, 1) * phase;
+    return {end * last.hard, last.root > 0.0 ? end * last.soft * (-std::expm1(-length / soft_tip) / last.root) : 0.0};
   }
 
   StripEnd add_flat(const StripPath& path) {

@@ -35,10 +35,11 @@ void put(const StripScene& scene, const GeodesicMarch& march, StripPath& path) {
                  march.width().caustics,
                  {},
                  {}};
-  const dvec3 across = sine * direction - cosine * aside, along = cosine * direction + sine * aside;
+  const double scale = path.wave.sign / (2 * pi * sine), cotangent = cosine / sine;
   for (int p = 0; p < 2; ++p) {
-    node.across[p] = path.wave.sign * glm::dot(scene.look.receive[p], across) / (2 * pi * sine);
-    node.along[p] = path.wave.sign * glm::dot(scene.look.receive[p], along) / (2 * pi * sine * sine);
+    const double on = scale * glm::dot(scene.look.receive[p], direction), off = scale * glm::dot(scene.look.receive[p], aside);
+    node.across[p] = sine * on - cosine * off;
+    node.along[p] = cotangent * on + off;
   }
   path.nodes.push_back(node);
 }

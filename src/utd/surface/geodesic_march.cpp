@@ -55,11 +55,11 @@ bool GeodesicMarch::next_piece() {
 }
 
 void GeodesicMarch::stand_at(const dvec2& l, double distance) {
-  const SurfaceFrame frame = target_.frame(piece_.from.triangle, l, side_);
+  const SurfaceFrame frame = target_.curvatures.at(piece_.from.triangle, l);
   const double step = distance - known_;
-  normal_ = frame.normal;
+  normal_ = side_ * frame.normal;
   direction_ = glm::normalize(piece_.direction - glm::dot(piece_.direction, normal_) * normal_);
-  const double curvature = frame.curvature(direction_), gaussian = frame.gaussian();
+  const double curvature = side_ * frame.curvature(direction_), gaussian = frame.gaussian();
   // Means over a step, but for the first one: a way may begin at a tip, whose curvature tells nothing of what follows.
   const double last = known_ > 0.0 ? 0.5 : 0.0;
   const double mean = glm::mix(curvature, curvature_, last), mean_gaussian = glm::mix(gaussian, gaussian_, last);

@@ -24,7 +24,8 @@ void StripSum::add_step(double step, double path, const dvec3& middle, const std
                         std::span<const ScatteringMatrix> amplitude) {
   const BandSum::Bin bin = sum_.bin(0.5 * (path + path_), half_span_);
   for (std::size_t f = 0; f < bin.at.size(); ++f) {
-    const FilonStep filon = filon_step(bin.at[f] * (path_ - bin.path), bin.at[f] * (path - bin.path));
+    const double phase_from = bin.at[f] * (path_ - bin.path), phase_to = bin.at[f] * (path - bin.path);
+    const FilonStep filon = filon_step(phase_from, phase_to, std::polar(1.0, phase_from), std::polar(1.0, phase_to));
     ScatteringMatrix from = amplitude_[f], to = amplitude[f];
     const ScatteringMatrix s =
         (from *= step * (shares[0] * filon.even - filon.odd)) + (to *= step * (shares[1] * filon.even + filon.odd));

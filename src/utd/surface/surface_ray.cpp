@@ -43,9 +43,9 @@ bool Geodesic::next(GeodesicPiece& piece) {
   const CurvedFacet& facet = curvatures_.facet(at_.triangle);
   const dvec3 n = curvatures_.normal(facet, at_.l), &plane = facet.plane_normal;
   const double square = glm::dot(n, n), facing = glm::dot(n, plane);
-  tangent_ = glm::normalize(tangent_ - (glm::dot(tangent_, n) / square) * n);
   if (facing < 0.2 * std::sqrt(square)) return false;  // normals that have nothing to do with the facet
-  const dvec3 direction = glm::normalize(tangent_ - (glm::dot(tangent_, plane) / facing) * n);
+  const dvec3 direction = tangent_ - (glm::dot(tangent_, plane) / facing) * n;
+  tangent_ -= (glm::dot(tangent_, n) / square) * n;
   const dvec2 rate(glm::dot(direction, facet.gradient_1), glm::dot(direction, facet.gradient_2));
   const Exit way = exit(rate);
   if (way.side < 0) return false;

@@ -15,7 +15,7 @@ struct FacetPoint {
 struct GeodesicPiece {
   FacetPoint from;
   dvec2 to;         // barycentric coordinates
-  dvec3 direction;  // unit, in the facet's plane
+  dvec3 direction;  // in the facet's plane, of any length
 };
 
 /// Length of an arc of that curvature over a chord [m], of points of one facet: at slivers, whose curvature may be anything, it
@@ -38,13 +38,13 @@ class Geodesic {
  private:
   struct Exit {
     int side = -1;
-    double length = 0.0;
+    double length = 0.0;  // of the direction
   };
   Exit exit(const dvec2& rate) const;
 
   const CurvatureField& curvatures_;
   FacetPoint at_;
-  dvec3 tangent_;
+  dvec3 tangent_;     // before it is carried to this facet, of any length
   int entered_ = -1;  // the side over which it came
   int standing_ = 0;  // pieces without length in a row
   bool ended_ = false;

@@ -162,7 +162,8 @@ class SurfaceLook {
     const double length = b.at - a.at;
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const double k = wavenumbers_[f];
-      const FilonStep filon = filon_step(k * a.arrival.path, k * b.arrival.path);
+      const FilonStep filon = filon_step(k * a.arrival.path, k * b.arrival.path, std::polar(1.0, k * a.arrival.path),
+                                         std::polar(1.0, k * b.arrival.path));
       a.weight[f] += length * (filon.even - filon.odd);
       b.weight[f] += length * (filon.even + filon.odd);
     }
