@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "math/filon.h"
 #include "utd/fock/edge_factors.h"
@@ -66,11 +67,13 @@ class StripSumInBins {
   }
 
  private:
-  /// The integral to which waves of a path belong, from the strip's start.
+  /// Whether waves of a path from the strip's start belong to what is summed.
+  bool belongs(double path) const { return !path_ || bins_.key(start_.path + path) == bins_.key(*path_); }
+
+  /// The integral to which they do.
   StripIntegral& at(double path) {
-    const double whole = start_.path + path;
-    if (path_ && bins_.key(whole) != bins_.key(*path_)) put();
-    path_ = whole;
+    if (!belongs(path)) put();
+    path_ = start_.path + path;
     return sum_;
   }
 
@@ -87,7 +90,7 @@ class StripSumInBins {
     const double k = wavenumber_, rate = std::sqrt(2 * k) * path.wave.incidence.sin_cone, cube_root_of_k = std::cbrt(k);
     const double cos_cone = path.wave.incidence.cos_cone;
     NodeCurrent last{};
-    Complex phase;
+    Complex phase, weight;  // of the last node, and by the steps before it
     for (std::size_t first = 0; first < path.nodes.size(); first += lanes) {
       const std::size_t count = std::min(lanes, path.nodes.size() - first);
       Reals root, angle;
@@ -105,13 +108,19 @@ class StripSumInBins {
           const StripNode& before = path.nodes[first + i - 1];
           const FilonStep filon = filon_step(k * before.path, angle[i], phase, phases[i]);
           const double step = root[i] - last.root;
-          StripIntegral& sum = at(0.5 * (before.path + node.path));
-          sum.add_node(before, last, cos_cone, step * (filon.even - filon.odd));
-          sum.add_node(node, here, cos_cone, step * (filon.even + filon.odd));
+          const double middle = 0.5 * (before.path + node.path);
+          if (!belongs(middle)) {
+            sum_.add_node(before, last, cos_cone, std::exchange(weight, 0.0));
+            put();
+          }
+          path_ = start_.path + middle;
+          sum_.add_node(before, last, cos_cone, weight + step * (filon.even - filon.odd));
+          weight = step * (filon.even + filon.odd);
         }
         last = here, phase = phases[i];
       }
     }
+    sum_.add_node(path.nodes.back(), last, cos_cone, weight);
     const double length = 0.5 * last.root * last.root;
     at(0.0).add_kernels(path, path.strip.local_part(), -std::expm1(-length));
     const Complex end = Complex(0, 1) * phase;
