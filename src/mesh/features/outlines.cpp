@@ -16,14 +16,14 @@ constexpr double vertex_overlap = 1e-7;  // of the edge's length: neighbours ove
 
 std::size_t side_index(std::uint32_t patch, bool back) { return 2 * std::size_t{patch} + (back ? 1 : 0); }
 
-/// Distance along the line to the edge, or infinity if it does not cross the edge outwards.
-double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direction) {
+/// Distance along the line to the edge, or infinity if it does not cross the edge outwards nearer than `limit`.
+double crossing(const OutlineEdge& edge, const dvec3& point, const dvec3& direction, double limit) {
   constexpr double never = std::numeric_limits<double>::infinity();
   const double inwards = glm::dot(direction, edge.into_face);
   if (inwards > -parallel) return never;
   const dvec3 offset = point - edge.start;
   const double distance = -glm::dot(offset, edge.into_face) / inwards;
-  if (distance < -behind * edge.length) return never;
+  if (distance < -behind * edge.length || distance >= limit) return never;
   const double share = glm::dot(offset + distance * direction, edge.share);
   return share < -vertex_overlap || share > 1.0 + vertex_overlap ? never : std::max(distance, 0.0);
 }
@@ -101,7 +101,7 @@ FaceExit Outlines::exit(const WedgeFace& face, std::uint32_t own, const dvec3& p
   FaceExit nearest{nullptr, std::numeric_limits<double>::infinity()};
   for (const OutlineEdge& edge : around(face)) {
     if (edge.wedge == own) continue;
-    const double distance = crossing(edge, point, direction);
+    const double distance = crossing(edge, point, direction, nearest.distance);
     if (distance < nearest.distance) nearest = {&edge, distance};
   }
   return nearest;

@@ -13,7 +13,8 @@ constexpr double root_step = 0.1;         // of the root of the wavelength, betw
 constexpr double longest_step = 0.25;     // of the wavelength
 constexpr double curvature_step = 0.125;  // of the wavelength, between points where the surface is asked for its curvature
 constexpr double last_bend = 12.0;        // xi beyond which nothing is left
-constexpr double same_end = 1e-9;         // of the wavelength
+constexpr std::size_t usual_nodes = 64;
+constexpr double same_end = 1e-9;  // of the wavelength
 
 /// Points of the strip stand in steps of its own, not at the sides of facets, which may be many: steps of the root of the
 /// distance, in which currents are smooth near the edge.
@@ -54,6 +55,7 @@ StripArrival walk_strip(const StripScene& scene, StripPath& path) {
   GeodesicMarch march(scene.curved->target(), *start, path.wave.direction, face.back ? -1.0 : 1.0,
                       curvature_step * scene.shortest);
   const auto faded = [&] { return lowest * march.way().bend() >= last_bend; };
+  path.nodes.reserve(usual_nodes);
   put(scene, march, path);
   while (march.march_to(next_distance(path.length, scene.shortest)) && !faded()) put(scene, march, path);
   if (march.lost() || faded()) return {};
