@@ -41,6 +41,10 @@ class BentFacet {
     const double l0 = 1.0 - l.x - l.y;
     return l0 * x_[0] + l.x * x_[1] + l.y * x_[2] - l0 * l.x * b_[0] - l.x * l.y * b_[1] - l.y * l0 * b_[2];
   }
+  /// r on the side from a corner to the next one, at this share of it.
+  dvec3 on_side(int corner, double share) const {
+    return (1.0 - share) * x_[corner] + share * (x_[(corner + 1) % 3] - (1.0 - share) * b_[corner]);
+  }
   /// dr/dl1.
   dvec3 along_1(const dvec2& l) const { return x_[1] - x_[0] - (1.0 - 2.0 * l.x - l.y) * b_[0] - l.y * (b_[1] - b_[2]); }
   /// dr/dl2.
@@ -102,7 +106,9 @@ class SmoothSurfaces {
 
   /// How far the surface bends off that side of a triangle with a region: the point at fraction x of the side lies at its chord
   /// minus x (1 - x) times this.
-  const dvec3& bend(std::uint32_t triangle, int corner) const { return sides_->bends[triangle][static_cast<std::size_t>(corner)]; }
+  const dvec3& bend(std::uint32_t triangle, int corner) const {
+    return sides_->bends[triangle][static_cast<std::size_t>(corner)];
+  }
 
   /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
   const dvec3& normal(std::uint32_t triangle, int corner) const { return chords_->normals[normal_index(triangle, corner)]; }

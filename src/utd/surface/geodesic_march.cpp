@@ -14,8 +14,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
       side_(side),
       sampling_(sampling),
       geodesic_(target.curvatures, start, direction),
-      piece_{start, start.l, direction},
-      piece_to_(target.curvatures.facet(start.triangle).shape.point(start.l)),
+      piece_{start, start.l, target.curvatures.facet(start.triangle).shape.point(start.l), direction},
       at_(start.l),
       widest_(widest_march * begin.width),
       width_(begin) {
@@ -41,11 +40,8 @@ bool GeodesicMarch::march_to(double distance) {
 }
 
 bool GeodesicMarch::next_piece() {
-  for (GeodesicPiece piece; geodesic_.next(piece);) {
-    const dvec3 to = target_.curvatures.facet(piece.from.triangle).shape.point(piece.to);
-    const double chord = glm::distance(piece_to_, to);
-    piece_ = piece;
-    piece_to_ = to;
+  for (dvec3 from = piece_.end; geodesic_.next(piece_); from = piece_.end) {
+    const double chord = glm::distance(from, piece_.end);
     if (chord <= 0.0) continue;
     piece_start_ = piece_end_;
     piece_end_ += arc_over(chord, curvature_);

@@ -42,7 +42,6 @@ class GeodesicMarch {
   double side_, sampling_;
   Geodesic geodesic_;
   GeodesicPiece piece_;
-  dvec3 piece_to_;                              // where it ends
   dvec2 at_;                                    // barycentric coordinates in the piece's facet
   double piece_start_ = 0.0, piece_end_ = 0.0;  // of the piece [m]
   double known_ = 0.0;

@@ -84,7 +84,7 @@ class NoseFinder {
   // The walk is over 400 facets at most.
   SectionWalk walk(const FacetPoint& start, const Plane& plane, double way) const {
     Geodesic geodesic(curvatures_, start, way * plane.across);
-    GeodesicPiece piece{start, start.l, way * plane.across};
+    GeodesicPiece piece;
     SectionWalk walked;
     for (int i = 0; i < 400 && geodesic.next(piece); ++i)
       if (!add(walked, piece, plane)) return walked;

@@ -49,14 +49,15 @@ bool Geodesic::next(GeodesicPiece& piece) {
   const dvec2 rate(glm::dot(direction, facet.gradient_1), glm::dot(direction, facet.gradient_2));
   const Exit way = exit(rate);
   if (way.side < 0) return false;
-  piece = {at_, at_.l + way.length * rate, direction};
+  const dvec2 to = at_.l + way.length * rate;
+  const double share = std::clamp(all_three(to)[(way.side + 1) % 3], 0.0, 1.0);
+  piece = {at_, to, facet.shape.on_side(way.side, share), direction};
   standing_ = way.length > 0.0 ? 0 : standing_ + 1;
   const CurvedFacet::Neighbour& next = facet.beyond[way.side];
   ended_ = next.triangle == no_index;
   entered_ = ended_ ? way.side : static_cast<int>(next.corner);
   if (ended_) return true;
   // The neighbour runs along the side in the opposite sense.
-  const double share = std::clamp(all_three(piece.to)[(way.side + 1) % 3], 0.0, 1.0);
   std::array<double, 3> l{};
   l[next.corner] = share;
   l[(next.corner + 1) % 3] = 1.0 - share;

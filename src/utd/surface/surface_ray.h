@@ -15,6 +15,7 @@ struct FacetPoint {
 struct GeodesicPiece {
   FacetPoint from;
   dvec2 to;         // barycentric coordinates
+  dvec3 end;        // the point of the surface there
   dvec3 direction;  // in the facet's plane, of any length
 };
 
