@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "math/cube_root.h"
+#include "math/special/cube_root.h"
 #include "utd/fock/fock_fit.h"
 
 namespace raytube {
