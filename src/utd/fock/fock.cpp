@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "math/special/cube_root.h"
 #include "utd/fock/fock_fit.h"
 
 namespace raytube {
@@ -44,7 +43,7 @@ void DarkWay::step(double curvature, double gaussian, double h) {
   constexpr double hard = hard_zeros[0], soft = soft_zeros[0], cbrt_of_2 = 1.259921049894873165;
   constexpr double along_hard = hard * hard / 60 + 0.1 / hard, along_soft = soft * soft / 60, across_hard = 0.25 / hard;
   if (curvature <= 0.0) return;
-  const double root = cube_root(curvature), turn = h * cbrt_of_2 * root;
+  const double root = std::cbrt(curvature), turn = h * cbrt_of_2 * root;
   const double across = std::clamp(gaussian / curvature, -curvature, curvature);
   distance_ += h * root * root / cbrt_of_2;
   bends_ += h * root;

@@ -172,7 +172,7 @@ ModeMatrix modes_from(const std::vector<Node>& nodes, const Layers& layers, cons
 
 SoftHardModes section_modes(const Section& section, double interior_angle, double tangent_distance) {
   const double n = 2 - interior_angle / pi, highest = tangent_distance + 8 + 4 * std::cbrt(tangent_distance);
-  const int count = 4 * static_cast<int>(std::ceil(std::max(60.0, 7 * tangent_distance * n + 40)));
+  const int count = 4 * static_cast<int>(std::ceil(std::max(52.0, 4 * tangent_distance * n + 24)));
   std::vector<Radial> radials;
   for (int m = 0; m <= n * highest; ++m) radials.push_back(radial_at(m / n, tangent_distance));
   const std::vector<Node> nodes = nodes_of(section, n, tangent_distance, count);
