@@ -51,6 +51,11 @@ struct CurvedTarget {
     return surfaces.region(triangle) != no_index && raytube::carries_waves(materials, material(triangle));
   }
 
+  /// Whether they run over it at this wavenumber.
+  bool runs_over(std::uint32_t triangle, double wavenumber) const {
+    return carries_waves(triangle) && is_wide(tracer.mesh().triangle_component[triangle], wavenumber);
+  }
+
   /// What a facet keeps of waves over it: less than 1 where they cross a rounded edge, which has the rest.
   double wave_share(std::uint32_t triangle, const dvec3& incident, const dvec3& scattered, double wavenumber) const {
     if (noses.empty() || noses[triangle].radius <= 0.0) return 1.0;

@@ -216,7 +216,7 @@ double add_lit_currents(const CurvedTarget& target, LocalLook& look, std::span<c
   const double any = wavenumbers.front();  // at all of them waves run over the same bodies
   LitSide lit(target, look, wavenumbers, sum, places);
   for (std::uint32_t t = 0; t < target.tracer.mesh().triangles.size(); ++t) {
-    if (!target.carries_waves(t) || !target.is_wide(target.tracer.mesh().triangle_component[t], any)) continue;
+    if (!target.runs_over(t, any)) continue;
     lit.add(t, 1.0);
     if (!target.tracer.mesh().closed(t)) lit.add(t, -1.0);
   }

@@ -7,14 +7,15 @@
 #include <map>
 #include <optional>
 
-#include "math/filon.h"
 #include "scene/frequency_bands.h"
 #include "utd/fock/fock.h"
 #include "utd/fock/impedance_fock.h"
+#include "utd/surface/far_sides.h"
 #include "utd/surface/geodesic_march.h"
 #include "utd/surface/lit_currents.h"
-#include "utd/surface/lit_frame.h"
 #include "utd/surface/shadow_boundary.h"
+#include "utd/surface/strip_arrivals.h"
+#include "utd/surface/strip_point.h"
 #include "utd/wedge/rounding_guard.h"
 #include "utd/wedge/work.h"
 
@@ -24,14 +25,6 @@ namespace {
 
 // The longest step along a strip and the widest piece of the shadow boundary, in wavelengths: phases are linear across strips.
 constexpr double longest_step = 0.5, widest_piece = 0.25;
-// Between strips that arrive at wedges far apart there are others, down to this part of a piece of the shadow boundary.
-constexpr double least_part = 1.0 / 64.0;
-
-/// The surface along a strip.
-struct StripPoint {
-  dvec3 position, normal, along, binormal;  // t, b = t x n
-  double curvature, gaussian;
-};
 
 /// A strip into the dark from a point of the shadow boundary, as far as it has come.
 struct DarkStrip {
@@ -49,15 +42,6 @@ struct DarkStrip {
   double path = 0.0;   // phase of its end over k [m]
 
   dvec3 binormal() const { return glm::cross(march.direction(), march.normal()); }
-};
-
-/// A strip that has arrived at a wedge, one point of the integral over all that do.
-struct StripArrival {
-  double at;  // arc length of its start along the line of the boundary [m]
-  SurfaceArrival arrival;
-  std::array<double, 2> magnetic;  // DarkStrip::magnetic
-  std::vector<Complex> current;  // [frequency], half of it for unit H, times the strip's width over that of its piece of the line
-  std::vector<Complex> weight;   // [frequency], of the integral along the line, with the phase [m]
 };
 
 std::vector<double> wavenumbers_of(std::span<const double> frequencies) {
@@ -89,11 +73,13 @@ class SurfaceLook {
   SurfaceWaveResult take() {
     // The normal turns by 0.3 rad at most over a piece of the boundary.
     for (const BoundaryLine& line : shadow_boundary(target_, look_, widest_piece * shortest_, 0.3)) {
-      add_strips(line, 1.0);
-      add_strips(line, -1.0);
+      for (const double side : {1.0, -1.0})
+        keep(arrivals_along(line, wavenumbers_, shortest_,
+                            [&](const BoundaryPiece& piece, bool radiates) { return strip_of(piece, side, radiates); }));
     }
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (runs_over(t) && target_.surfaces.conducts(t)) find_far_sides(t);
+    std::vector<SurfaceArrival> far_sides = far_side_arrivals(target_, look_, wavenumbers_, band_);
+    result_.strips += far_sides.size();
+    keep(std::move(far_sides));
     if (rays_ != nullptr) std::erase_if(*rays_, [](const SurfaceRay& ray) { return ray.points.size() < 2; });
     result_.work += add_lit_currents(target_, look_, wavenumbers_, band_, places_);
     band_.add_to(result_.scattering);
@@ -101,179 +87,14 @@ class SurfaceLook {
   }
 
  private:
-  // Adds the strips of all pieces of a line. What of them arrives at wedges is integrated along the line: where strips graze the
-  // wedge their ends are far apart there, and phases turn by more than one piece stands for.
-  void add_strips(const BoundaryLine& line, double side) {
-    std::vector<std::optional<StripArrival>> arrivals;
-    const std::vector<BoundaryPiece> pieces = line.pieces();
-    for (const BoundaryPiece& piece : pieces) arrivals.push_back(strip_of(piece, side, true));
-    if (pieces.empty() || std::ranges::none_of(arrivals, [](const auto& arrival) { return arrival.has_value(); })) return;
-    if (line.closed() && pieces.size() > 1) {
-      const auto middle = [](const BoundaryPiece& piece) { return 0.5 * (piece.from + piece.to); };
-      for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
-        integrate(line, side, middle(pieces[i]), middle(pieces[i + 1]), arrivals[i], arrivals[i + 1]);
-      if (arrivals.front()) arrivals.front()->at += line.length();
-      integrate(line, side, middle(pieces.back()), middle(pieces.front()) + line.measure(), arrivals.back(), arrivals.front());
-    } else {
-      double last = 0.0;
-      std::optional<StripArrival> before = strip_at(line, side, 0.0);
-      for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const double middle = 0.5 * (pieces[i].from + pieces[i].to);
-        integrate(line, side, last, middle, i == 0 ? before : arrivals[i - 1], arrivals[i]);
-        last = middle;
-      }
-      std::optional<StripArrival> after = strip_at(line, side, line.measure());
-      integrate(line, side, last, line.measure(), arrivals.back(), after);
-      put(before), put(after);
-    }
-    for (std::optional<StripArrival>& arrival : arrivals) put(arrival);
-  }
-
-  // How far from one another strips arrive [m].
-  static double distance(const std::optional<StripArrival>& a, const std::optional<StripArrival>& b) {
-    return a && b ? glm::distance(a->arrival.position, b->arrival.position) : std::numeric_limits<double>::infinity();
-  }
-
-  // Integrates from the strip of one place on a line to that of another. Where they arrive farther apart than a sixth of a
-  // wavelength, each half of the stretch is integrated by itself. Ends that two halves in a row, `jumps`, have not brought nearer
-  // by a quarter stand on different edges.
-  void integrate(const BoundaryLine& line, double side, double from, double to, std::optional<StripArrival>& a,
-                 std::optional<StripArrival>& b, int jumps = 0) {
-    if (!a && !b) return;
-    const double apart = distance(a, b);
-    if (apart <= 1.0 / 6.0 * shortest_) return add_between(*a, *b);
-    if (to - from > least_part && jumps < 2) {
-      const double middle = 0.5 * (from + to);
-      std::optional<StripArrival> between = strip_at(line, side, middle);
-      const auto jumps_to = [&](double nearer) { return nearer < 0.75 * apart ? 0 : jumps + 1; };
-      integrate(line, side, from, middle, a, between, jumps_to(distance(a, between)));
-      integrate(line, side, middle, to, between, b, jumps_to(distance(between, b)));
-      return put(between);
-    }
-    // They end on different lines of edges, or one of them on none.
-    const double half = 0.5 * (line.arc_length(to) - line.arc_length(from));
-    for (std::optional<StripArrival>* one : {&a, &b})
-      for (std::size_t f = 0; *one && f < wavenumbers_.size(); ++f)
-        (*one)->weight[f] += std::polar(half, wavenumbers_[f] * (*one)->arrival.path);
-  }
-
-  // Amplitudes and phases linear from one to the other.
-  void add_between(StripArrival& a, StripArrival& b) const {
-    const double length = b.at - a.at;
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const double k = wavenumbers_[f];
-      const FilonStep filon = filon_step(k * a.arrival.path, k * b.arrival.path, std::polar(1.0, k * a.arrival.path),
-                                         std::polar(1.0, k * b.arrival.path));
-      a.weight[f] += length * (filon.even - filon.odd);
-      b.weight[f] += length * (filon.even + filon.odd);
-    }
-  }
-
-  void put(std::optional<StripArrival>& strip) {
-    if (!strip) return;
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const Complex current = strip->current[f] * strip->weight[f];
-      strip->arrival.magnetic.push_back({current * strip->magnetic[0], current * strip->magnetic[1]});
-    }
-    result_.arrivals.push_back(std::move(strip->arrival));
-  }
-
-  // At a place on a line, of a small part of a piece there, for what arrives at wedges alone.
-  std::optional<StripArrival> strip_at(const BoundaryLine& line, double side, double at) {
-    const double half = 0.5 * least_part;
-    const double all = line.measure(), from_end = std::min(half, 0.5 * all);
-    const double middle = line.closed() ? at : std::clamp(at, from_end, all - from_end);
-    std::optional<StripArrival> strip = strip_of(line.piece(middle - half, middle + half), side, false);
-    if (strip) strip->at = line.arc_length(at);
-    return strip;
-  }
-
-  // Waves run over the same bodies at all frequencies.
-  bool runs_over(std::uint32_t triangle) const {
-    return target_.carries_waves(triangle) && target_.is_wide(mesh_.triangle_component[triangle], wavenumbers_.front());
-  }
-
-  // Where the surface ends before its shadow boundary: its lit part near that boundary is there all the same.
-  void find_far_sides(std::uint32_t t) {
-    for (int c = 0; c < 3; ++c) {
-      if (!target_.surfaces.on_boundary(t, c)) continue;
-      const Triangle& corners = mesh_.triangles[t];
-      const dvec3& from = mesh_.vertices[corners[c]];
-      const dvec3 way = mesh_.vertices[corners[(c + 1) % 3]] - from;
-      const dvec3 inwards = glm::cross(mesh_.patch_of(t).normal, way);
-      if (glm::dot(inwards, look_.incident(from + 0.5 * way)) > -1e-9 * glm::length(inwards)) continue;
-      add_far_sides(t, c, way, 1.0);
-      if (!mesh_.closed(t)) add_far_sides(t, c, way, -1.0);
-    }
-  }
-
-  double facing(std::uint32_t t, int corner) const {
-    return target_.facing(t, corner, look_.incident(target_.corner(t, corner)));
-  }
-
-  // Adds strips along the lit part of a facet's side, each a third of a wavelength wide at most.
-  void add_far_sides(std::uint32_t t, int c, const dvec3& way, double side) {
-    const double a = side * facing(t, c), b = side * facing(t, (c + 1) % 3);
-    if (a >= 0.0 && b >= 0.0) return;
-    const double from = a > 0.0 ? a / (a - b) : 0.0, to = b > 0.0 ? a / (a - b) : 1.0, share = to - from;
-    const int parts = static_cast<int>(part_count(share * glm::length(way) / (1.0 / 3.0 * shortest_)));
-    for (int i = 0; i < parts; ++i) {
-      const double x = from + share * (i + 0.5) / parts;
-      double l[3] = {};
-      l[c] = 1.0 - x;
-      l[(c + 1) % 3] = x;
-      add_far_side({t, {l[1], l[2]}}, c, way * (share / parts), side);
-    }
-  }
-
-  // The wave comes and goes over the part's whole width.
-  void add_far_side(const FacetPoint& start, int corner, const dvec3& width, double side) {
-    const dvec3 incident = incident_at(start);
-    StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
-    const double grazing = -glm::dot(incident, q.normal);
-    const LitFrame frame(target_.frame(start.triangle, start.l, side), incident);
-    if (grazing <= 0.0 || frame.distance(lowest_) <= -least_lit || !target_.is_lit(q.position, q.normal, incident)) return;
-    const double across = std::abs(glm::dot(width, q.binormal)),
-                 half_path = 0.5 * glm::dot(width, incident - look_.at(q.position).scattered);
-    ++result_.strips;
-    const LookVectors& here = look_.at(q.position);
-    const std::array<double, 2> magnetic = along(here.magnetic, q.binormal);
-    SurfaceArrival arrival{start.triangle, corner, side < 0.0, q.position, q.along, q.position, look_.both(q.position), {}};
-    const std::vector<Complex> currents = band_.everywhere([&](double k) {
-      return across * target_.width_share(mesh_.triangle_component[start.triangle], k) * lit_excess(frame, k).hard *
-             sinc(k * half_path);
-    });
-    for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-      const Complex current = currents[f] * std::polar(1.0, wavenumbers_[f] * arrival.path);
-      arrival.magnetic.push_back({current * magnetic[0], current * magnetic[1]});
-    }
-    result_.arrivals.push_back(std::move(arrival));
-  }
-
-  static std::array<double, 2> along(const std::array<dvec3, 2>& field, const dvec3& axis) {
-    return {glm::dot(field[0], axis), glm::dot(field[1], axis)};
-  }
-
-  dvec3 incident_at(const FacetPoint& p) const { return look_.incident(target_.surfaces.facet(p.triangle).point(p.l)); }
-
-  StripPoint at(const BentFacet& facet, const FacetPoint& p, const dvec3& walking, double side) const {
-    const SurfaceFrame frame = target_.frame(p.triangle, p.l, side);
-    StripPoint point;
-    point.position = facet.point(p.l);
-    point.normal = frame.normal;
-    point.along = glm::normalize(walking - glm::dot(walking, frame.normal) * frame.normal);
-    point.binormal = glm::cross(point.along, point.normal);
-    point.curvature = frame.curvature(point.along);
-    point.gaussian = frame.gaussian();
-    return point;
-  }
+  void keep(std::vector<SurfaceArrival> arrivals) { std::ranges::move(arrivals, std::back_inserter(result_.arrivals)); }
 
   // The strip of a piece of the boundary, and what of it arrives at a wedge; its own current counts only if it `radiates`.
   std::optional<StripArrival> strip_of(const BoundaryPiece& piece, double side, bool radiates) {
     const FacetPoint& start = piece.middle;
-    if (!runs_over(start.triangle) || (side < 0.0 && mesh_.closed(start.triangle))) return {};
-    const dvec3 incident = incident_at(start);
-    const StripPoint q = at(target_.surfaces.facet(start.triangle), start, incident, side);
+    if (!target_.runs_over(start.triangle, wavenumbers_.front()) || (side < 0.0 && mesh_.closed(start.triangle))) return {};
+    const dvec3 incident = look_.incident(target_.surfaces.facet(start.triangle).point(start.l));
+    const StripPoint q = strip_point(target_, start, incident, side);
     const double across = std::abs(glm::dot(piece.chord, q.binormal));
     if (q.curvature * mesh_.radius < flattest_curvature || across <= 0.0) return {};
     if (!target_.is_lit(q.position, q.normal, incident)) return {};
@@ -283,7 +104,7 @@ class SurfaceLook {
     const LookVectors& here = look_.at(q.position);
     std::optional<StripArrival> arrival =
         follow_dark(DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
-                              along(here.magnetic, q.binormal), along(here.electric, q.binormal), radiates,
+                              q.across(here.magnetic), q.across(here.electric), radiates,
                               GeodesicMarch(target_, start, incident, side, 0.0, width)},
                     side);
     if (!arrival) return {};
