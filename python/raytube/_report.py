@@ -125,6 +125,7 @@ def _source(file: Path) -> Source:
         source.mechanisms = mechanisms_of(_table(beside / "parts.csv", stored))
     elif not source.mechanisms:
         source.notes.append("Curves by mechanism: the run kept its mechanisms together; raytube run --parts keeps them apart.")
+    source.mechanisms = {name: s for name, s in source.mechanisms.items() if np.any(s)}  # others have no curve
     if source.incoherent_m2 is None and (beside / "incoherent.csv").exists():
         source.incoherent_m2 = 10.0 ** (_table(beside / "incoherent.csv", stored).iloc[:, -2:].to_numpy() / 10.0)
     return source

@@ -111,7 +111,7 @@ TEST_F(Products, OptionsThatDoNotGoTogetherAreRefused) {
   expect_refused("isar case.toml --mechanisms edges", "--mechanisms requires --direct");
   expect_refused("isar case.toml --direct --mechanisms bounce_4",
                  "needs bounce_1, bounce_2, bounce_3_on, surface_waves, rounded_edges, "
-                 "flat_tips, round_tips, edges, interaction");
+                 "flat_tips, round_tips, edges, material_edges, plate_corners, thin_ends, solid_corners, interaction");
   expect_refused("isar kept/rcs.csv --size 20 1", "the image asked for is 20 m wide along range, but steps of 100 MHz show 1.");
   expect_refused("isar kept --size 8", "--size: needs two lengths in metres, or three for an image in space (found 8)");
   expect_refused("isar kept --size 8x", "or three for an image in space, such as 8x8 (found 8x)");

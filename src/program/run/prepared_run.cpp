@@ -29,12 +29,14 @@ int take_build_id(dl_phdr_info* object, std::size_t, void* id) {
     const ElfW(Phdr)& segment = object->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
     const char* note = reinterpret_cast<const char*>(object->dlpi_addr + segment.p_vaddr);
-    const auto padded = [&](std::size_t size) { return (size + segment.p_align - 1) / segment.p_align * segment.p_align; };
+    const std::size_t align = segment.p_align == 8 ? 8 : 4;
+    const auto padded = [&](std::size_t size) { return (size + align - 1) / align * align; };
     for (const char* const end = note + segment.p_memsz; note + sizeof(ElfW(Nhdr)) <= end;) {
       ElfW(Nhdr) head;
       std::memcpy(&head, note, sizeof head);
       const char* name = note + sizeof head;
       const char* text = note + padded(sizeof head + head.n_namesz);
+      if (text + head.n_descsz > end) break;
       if (head.n_type == NT_GNU_BUILD_ID && std::string_view(name, head.n_namesz) == std::string_view("GNU", 4))
         for (std::size_t b = 0; b < head.n_descsz; ++b)
           static_cast<std::string*>(id)->append(fmt::format("{:02x}", static_cast<unsigned char>(text[b])));

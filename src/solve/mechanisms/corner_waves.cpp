@@ -72,19 +72,12 @@ class CornerWavesOfLook : public Mechanism {
   const BandScene& scene_;
 };
 
-CornerWaves corners_of(const SolvePlan& plan, const WedgeSet& set, CornerWaveKind kind) {
-  const CornerWaveOptions& asked = plan.edges.corners;
-  return CornerWaves(*set.wedges, {.plates = asked.plates && kind == CornerWaveKind::plate,
-                                   .thin_ends = asked.thin_ends && kind == CornerWaveKind::thin_end,
-                                   .solids = asked.solids && kind == CornerWaveKind::solid});
-}
-
 template <CornerWaveKind kind>
 MechanismState state_of_corner_waves(const SolvePlan& plan) {
   if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
   if (!(plan.edges.corners.*kind_of_waves<kind>().wanted)) return without(fmt::format("{} is false", kind_of_waves<kind>().key));
   if (plan.edges.order == 1) return without("edges.order is 1");
-  const auto has = [&](const WedgeSet& set) { return corners_of(plan, set, kind).any(kind); };
+  const auto has = [&](const WedgeSet& set) { return CornerWaves(*set.wedges, plan.edges.corners).any(kind); };
   if (std::ranges::none_of(plan.wedge_sets, has)) return without(kind_of_waves<kind>().none);
   return {.on = true, .forced = true, .what = "from corner to corner"};
 }
@@ -104,7 +97,8 @@ void tell_corner_waves(const SolvePlan&, const Contribution& waves, std::size_t 
 template <CornerWaveKind kind>
 double bytes_of_corner_waves(const SolvePlan& plan) {
   double bytes = 0.0;
-  for (const WedgeSet& set : plan.wedge_sets) bytes += static_cast<double>(corners_of(plan, set, kind).bytes());
+  for (const WedgeSet& set : plan.wedge_sets)
+    bytes += static_cast<double>(CornerWaves(*set.wedges, plan.edges.corners).bytes(kind));
   return bytes;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "math/erfc_ray.h"
 #include "math/smooth_step.h"
@@ -99,11 +100,11 @@ class CornerWaves::Finder {
 };
 
 CornerWaves::CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions& kinds)
-    : edges_(wedges.size()), solids_(wedges, kinds.solids) {
+    : edges_(wedges.size()), solids_(wedges), kinds_(wedges.size()) {
   Finder finder(wedges);
   std::vector<std::uint32_t> longest_first;
-  for (std::uint32_t i = 0; kinds.plates && i < wedges.size(); ++i) edges_[i] = finder.edge(i);
-  if (kinds.thin_ends) find_thin(wedges);
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) edges_[i] = finder.edge(i);
+  find_thin(wedges);
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
     if (edges_[i]) longest_first.push_back(i);
   std::ranges::stable_sort(longest_first, std::ranges::greater{}, [&](std::uint32_t i) { return edges_[i]->length; });
@@ -113,6 +114,15 @@ CornerWaves::CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions&
         edges_[i].reset();
         break;
       }
+  // What an edge is hangs on no switch.
+  const auto wanted = [&](CornerWaveKind kind) {
+    return kind == CornerWaveKind::plate ? kinds.plates : kind == CornerWaveKind::thin_end ? kinds.thin_ends : kinds.solids;
+  };
+  for (std::uint32_t i = 0; i < wedges.size(); ++i) {
+    if (edges_[i]) kinds_[i] = edges_[i]->kind;
+    if (!edges_[i] && solids_[i]) kinds_[i] = CornerWaveKind::solid;
+    if (kinds_[i] && !wanted(*kinds_[i])) kinds_[i].reset();
+  }
 }
 
 void CornerWaves::find_thin(std::span<const Wedge> wedges) {
@@ -166,19 +176,20 @@ void CornerWaves::put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& t
         edges_[w] = Edge{.ends = *ends,
                          .length = here.sharp_length,
                          .part = wedges[w].length() / here.sharp_length,
+                         .kind = CornerWaveKind::thin_end,
                          .first = here.edges.front()};
     }
 }
 
-std::optional<CornerWaveKind> CornerWaves::kind(std::uint32_t wedge) const {
-  if (edges_[wedge]) return edges_[wedge]->kind;
-  return solids_[wedge] ? std::optional(CornerWaveKind::solid) : std::nullopt;
-}
+bool CornerWaves::any(CornerWaveKind kind) const { return std::ranges::find(kinds_, std::optional(kind)) != kinds_.end(); }
 
-bool CornerWaves::any(CornerWaveKind wanted) const {
+std::size_t CornerWaves::bytes(CornerWaveKind kind) const {
+  if (!any(kind)) return 0;
+  if (kind == CornerWaveKind::solid) return solids_.bytes();
+  std::set<const Angle*> used;
   for (std::uint32_t i = 0; i < edges_.size(); ++i)
-    if (kind(i) == wanted) return true;
-  return false;
+    for (int end = 0; kinds_[i] == kind && end < 2; ++end) used.insert(edges_[i]->ends[end].angle);
+  return used.size() * SheetCorner::bytes();
 }
 
 double CornerWaves::Edge::length_weight(double wavenumber) const { return sheet_share(thickness, wavenumber, length); }

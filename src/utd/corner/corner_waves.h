@@ -38,7 +38,7 @@ class CornerWaves {
   explicit CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions& kinds = {});
 
   /// Of which kind edge `wedge` is; none if it has no such waves.
-  std::optional<CornerWaveKind> kind(std::uint32_t wedge) const;
+  std::optional<CornerWaveKind> kind(std::uint32_t wedge) const { return kinds_[wedge]; }
   /// Whether any edge is of this kind.
   bool any(CornerWaveKind kind) const;
 
@@ -64,8 +64,8 @@ class CornerWaves {
   void add(std::uint32_t wedge, double share, const std::array<Visit, 2>& visits, std::span<const double> frequencies,
            std::span<ScatteringMatrix> sum) const;
 
-  /// Of its corners, once they are solved.
-  std::size_t bytes() const { return angles_.size() * SheetCorner::bytes() + solids_.bytes(); }
+  /// Of the corners of this kind, once they are solved.
+  std::size_t bytes(CornerWaveKind kind) const;
 
   static constexpr std::size_t most_angles = 16;
 
@@ -133,6 +133,7 @@ class CornerWaves {
   std::vector<std::unique_ptr<Angle>> angles_;
   std::vector<std::optional<Edge>> edges_;  // [wedge]
   SolidEdges solids_;
+  std::vector<std::optional<CornerWaveKind>> kinds_;  // [wedge]
 };
 
 }  // namespace raytube

@@ -140,8 +140,7 @@ class SolidEdges::Finder {
   WedgeEnds ends_;
 };
 
-SolidEdges::SolidEdges(std::span<const Wedge> wedges, bool wanted) : edges_(wedges.size()) {
-  if (!wanted) return;
+SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {
   Finder finder(wedges);
   for (std::vector<std::uint32_t>& body : finder.bodies()) {
     if (body.size() > most_edges) continue;

@@ -66,8 +66,8 @@ struct SolidEdge {
 class SolidEdges {
  public:
   /// On a body with more than `most_shapes` only the corners of the longest edges have waves, on one with more than `most_edges`
-  /// edges none. What other bodies there are does not count. None at all unless they are `wanted`.
-  explicit SolidEdges(std::span<const Wedge> wedges, bool wanted = true);
+  /// edges none. What other bodies there are does not count.
+  explicit SolidEdges(std::span<const Wedge> wedges);
 
   const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
   /// The memory of the corners, once they are solved.

@@ -59,7 +59,8 @@ class CornerEdges {
     const SolidEdge* solid = scene_.corners->solid(index);
     if (incidence.weight > 0.0 || solid == nullptr) return edges_.lit_parts(index, incidence);
     const double share = share_between_corners(*solid, incident_on(index));
-    return share > 0.0 ? std::vector<ScreenedInterval>{{{0.0, share}, {}}} : std::vector<ScreenedInterval>();
+    const LitInterval part{0.0, share};
+    return share > 0.0 ? edges_.behind_screens(index, std::span(&part, 1)) : std::vector<ScreenedInterval>();
   }
 
   /// The part of an edge of a solid between two dark faces that has waves, as both its corners are seen: as much as is lit of the

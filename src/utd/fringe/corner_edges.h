@@ -8,13 +8,14 @@ namespace raytube {
 /// What they add to S.
 struct CornerWaveSum {
   std::vector<ScatteringMatrix> scattering;  // per frequency [m]
-  std::uint64_t edges = 0;                   // along which they run in this look
+  std::uint64_t edges = 0;                   // wedges and thin ends along which they run in this look
   double work = 0.0;                         // counted (utd/wedge/work.h)
 };
 
 /// S of the waves of one kind along all edges that are lit, in proportion to their lit parts, and along edges of solids between
-/// two dark faces whose corners are lit. Each edge of several wedges counts once; behind screens a wave is transformed by what
-/// these let through at the middle of its wedge. `scene.corners` must be there, and `subset.frequencies` [Hz] not be empty.
+/// two dark faces whose corners are lit. An end of a thin body counts once, whatever wedges it is of; behind screens a wave is
+/// transformed by what these let through at the middle of its wedge. `scene.corners` must be there, and `subset.frequencies` [Hz]
+/// not be empty.
 CornerWaveSum corner_wave_scattering(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                      const FringeOptions& options, CornerWaveKind kind);
 

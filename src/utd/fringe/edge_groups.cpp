@@ -37,15 +37,18 @@ EdgesInLook::EdgesInLook(const EdgeScene& scene, const EdgeLook& look, const Swe
 }
 
 std::vector<ScreenedInterval> EdgesInLook::lit_parts(std::uint32_t index, const WedgeIncidence& incidence) {
-  std::vector<ScreenedInterval> parts;
   work_ += work::edge_light;
-  if (!light_.find(index, incidence)) return parts;
-  for (const LitInterval& part : light_.lit())
+  return light_.find(index, incidence) ? behind_screens(index, light_.lit()) : std::vector<ScreenedInterval>();
+}
+
+std::vector<ScreenedInterval> EdgesInLook::behind_screens(std::uint32_t index, std::span<const LitInterval> parts) const {
+  std::vector<ScreenedInterval> screened;
+  for (const LitInterval& part : parts)
     if (cutter_)
-      cutter_->cut(scene_.wedges[index], part, parts);
+      cutter_->cut(scene_.wedges[index], part, screened);
     else
-      parts.push_back({part, {}});
-  return parts;
+      screened.push_back({part, {}});
+  return screened;
 }
 
 std::uint64_t EdgesInLook::visit_groups(const std::function<void(const EdgeGroup&)>& visit) {

@@ -44,6 +44,9 @@ class EdgesInLook {
   /// The parts of wedge `index` that are lit in a wave that meets it like that, each with its screens.
   std::vector<ScreenedInterval> lit_parts(std::uint32_t index, const WedgeIncidence& incidence);
 
+  /// Parts of wedge `index`, each with its screens.
+  std::vector<ScreenedInterval> behind_screens(std::uint32_t index, std::span<const LitInterval> parts) const;
+
   /// What is S of a point without screens becomes that behind these, at one of the frequencies.
   ScatteringMatrix behind(const Screens& screens, const dvec3& point, ScatteringMatrix s, std::size_t frequency) const;
   /// S of a group as the receiver finds it.

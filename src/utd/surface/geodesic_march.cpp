@@ -9,7 +9,7 @@ constexpr double widest_march = 30.0;  // of a strip's width at its start
 }  // namespace
 
 GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side,
-                             double sampling, const StripWidth& begin)
+                             double sampling, const StripWidth& begin, bool at_tip)
     : target_(target),
       side_(side),
       sampling_(sampling),
@@ -17,6 +17,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
       piece_{start, start.l, target.curvatures.facet(start.triangle).shape.point(start.l), direction},
       at_(start.l),
       widest_(widest_march * begin.width),
+      at_tip_(at_tip),
       width_(begin) {
   stand_at(start.l, 0.0);
 }
@@ -27,6 +28,7 @@ dvec3 GeodesicMarch::position() const { return target_.curvatures.facet(piece_.f
 bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_); }
 
 bool GeodesicMarch::march_to(double distance) {
+  if (distance <= known_) return !lost();
   while (piece_end_ < distance) {
     if (piece_end_ - known_ > sampling_) stand_at(piece_.to, piece_end_);
     if (lost()) return false;
@@ -56,11 +58,11 @@ void GeodesicMarch::stand_at(const dvec2& l, double distance) {
   normal_ = side_ * frame.normal;
   direction_ = glm::normalize(piece_.direction - glm::dot(piece_.direction, normal_) * normal_);
   const double curvature = side_ * frame.curvature(direction_), gaussian = frame.gaussian();
-  // Means over a step, but for the first one: a way may begin at a tip, whose curvature tells nothing of what follows.
-  const double last = known_ > 0.0 ? 0.5 : 0.0;
+  const double last = at_tip_ ? 0.0 : 0.5;
   const double mean = glm::mix(curvature, curvature_, last), mean_gaussian = glm::mix(gaussian, gaussian_, last);
   if (step > 0.0) width_.step(mean_gaussian, step), way_.step(mean, mean_gaussian, step);
   curvature_ = curvature, gaussian_ = gaussian;
+  at_tip_ = at_tip_ && step <= 0.0;
   at_ = l;
   known_ = distance;
 }

@@ -12,9 +12,10 @@ namespace raytube {
 /// that it is known every `sampling` metres or once a facet. Keeps a reference to the target.
 class GeodesicMarch {
  public:
-  /// From a point into a direction; `side` as for CurvedTarget::frame. The strip has the width `begin` there.
+  /// From a point into a direction; `side` as for CurvedTarget::frame. The strip has the width `begin` there. At a tip the
+  /// curvature tells nothing of what follows: the first step has that of its end.
   GeodesicMarch(const CurvedTarget& target, const FacetPoint& start, const dvec3& direction, double side, double sampling,
-                const StripWidth& begin = {1.0});
+                const StripWidth& begin = {1.0}, bool at_tip = false);
 
   /// On to a distance from the start [m], not less than where it stands. False if the surface ends before, then it stands at the
   /// end, or if the strip has been lost: it is many times as wide as at its start, next to a focus of geodesics it has left.
@@ -46,6 +47,7 @@ class GeodesicMarch {
   double piece_start_ = 0.0, piece_end_ = 0.0;  // of the piece [m]
   double known_ = 0.0;
   double curvature_ = 0.0, gaussian_ = 0.0, widest_;
+  bool at_tip_;
   StripWidth width_;
   DarkWay way_;
   dvec3 direction_{0.0}, normal_{0.0};

@@ -82,7 +82,7 @@ class WayDown {
         axis_(seen.tip.outwards),
         first_(glm::distance(target.surfaces.facet(start.triangle).point(start.l), seen.tip.position)),
         step_(1.0 / 16.0 * wavelength),
-        march_(target, start, seen.side(sign), 1.0, step_),
+        march_(target, start, seen.side(sign), 1.0, step_, {1.0}, true),
         begin_(slope()) {}
 
   /// False if the surface ends before.

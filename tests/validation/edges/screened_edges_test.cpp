@@ -71,6 +71,22 @@ TEST(ScreenedEdges, WavesPassAScreenTwice) {
             1e-9);
 }
 
+// A tetrahedron one edge of which lies between two dark faces: the wave along it comes through the screen, too.
+TEST(ScreenedEdges, WavesAlongDarkEdgesPassItToo) {
+  const double a = 1.5 * lambda;
+  PolygonSoup tetrahedron;
+  tetrahedron.points = {{a, a, a}, {a, -a, -a}, {-a, a, -a}, {-a, -a, a}};
+  tetrahedron.polygons = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  const double angle = 15.0;
+  const SurfaceResponse there = response(laminate, 0, k, std::cos(angle * degree), false);
+  const Direction look = deg(angle, 0.0);
+  const ScatteringMatrix bare = edges_of(tetrahedron, {}, look, look),
+                         behind = edges_of(under_screen(tetrahedron, -30.0 * lambda), {laminate}, look, look);
+  const std::array<Complex, 2> through{there.transmitted.tm, there.transmitted.te};
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q) EXPECT_LT(std::abs(behind.at(p, q) - bare.at(p, q) * through[p] * through[q]), 1e-9);
+}
+
 // Of a plate half of which stands behind the screen, open + T^2 covered: the same two parts for any screen.
 TEST(ScreenedEdges, OnlyWhatAScreenCoversIsChangedByIt) {
   const PolygonSoup plate = shapes::plate(5.0 * lambda);
