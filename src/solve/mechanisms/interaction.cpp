@@ -54,15 +54,14 @@ class Interaction : public Mechanism {
         limits_{interaction_quadrature_error(relative_tolerance(scene.plan.tubes.tolerance_db),
                                              isotropic_level(scene.plan.target.mesh)),
                 scene.plan.edges.interaction.forced() ? 0.0 : least_reach} {
+    if (scene.plan.edges.interaction.forced()) return;
     const std::vector<double> reach = scene.edges.interaction_reach();
     reach_ = std::ranges::max(reach);
-    const bool forced = scene.plan.edges.interaction.forced();
-    for (std::size_t f = 0; f < reach.size(); ++f)
-      frequencies_[f] = frequencies_[f] && (forced ? reach[f] > 0.0 : reach[f] >= least_reach);
+    for (std::size_t f = 0; f < reach.size(); ++f) frequencies_[f] = frequencies_[f] && reach[f] >= least_reach;
   }
 
   Prospect prospect(const TracedLook&) const override {
-    if (scene_.plan.edges.interaction.forced() && reach_ > 0.0) return {};
+    if (scene_.plan.edges.interaction.forced()) return {};
     return {.reach = reach_};
   }
 
