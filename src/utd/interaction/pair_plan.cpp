@@ -14,7 +14,7 @@ constexpr double equal_share = 2 * rounding_of_files;
 
 // Share of all pairs of which a budget that pays for less pays for none: to list millions of pairs takes seconds, and no body
 // that was tried has half of what is expected in so few.
-constexpr double least_part = 1e-4;
+constexpr double least_part = 1e-3;
 
 struct Pair {
   double expected;

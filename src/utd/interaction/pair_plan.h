@@ -37,7 +37,7 @@ class PairPlan {
   /// All of them.
   PairPlan() = default;
   /// The strongest that `work` (utd/wedge/work.h) pays for in a look at one frequency. Of pairs as strong all count or none,
-  /// whatever their order: all if these are not more than twice as many as are paid for. None where less than a ten-thousandth of all
+  /// whatever their order: all if these are not more than twice as many as are paid for. None where less than a thousandth of all
   /// is paid for: what is left out is then taken to fill a half space about every edge.
   PairPlan(const PairCandidates& of, double work);
 
