@@ -7,12 +7,13 @@
 #include <ranges>
 #include <stdexcept>
 
+#include "gtd/ray_fields.h"
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/bodies.h"
 #include "plan/admissible.h"
 #include "plan/material_edges.h"
 #include "scene/frequency_bands.h"
-#include "gtd/ray_fields.h"
+#include "utd/corner/corner_waves.h"
 
 namespace raytube {
 
@@ -240,6 +241,8 @@ SolvePlan::SolvePlan(const Target& on, const Sweep& given, const SolveOptions& o
   thin_plate_edges = metal_plate_edges(target.thin_plate_edges, sweep.materials, coats_count);
   wedge_sets = raytube::wedge_sets(
       {target.mesh, target.wedges, target.outlines, thin_plate_edges, target.options.min_wedge_angle}, sweep.frequencies);
+  if (fringe() && edges.order > 1)
+    for (const WedgeSet& set : wedge_sets) corner_waves.push_back(std::make_shared<CornerWaves>(*set.wedges, edges.corners));
   looks = looks_of(*this);
   const bool skips_wedges = tubes.skip && edges.method != EdgeMethod::none;
   skips = {{"looks", "the same as earlier ones", looks.repeated},

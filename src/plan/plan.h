@@ -16,6 +16,8 @@
 
 namespace raytube {
 
+class CornerWaves;
+
 /// Frequencies of a sampled band (scene/frequency_bands.h) at which the target counts as the same body. Each is solved as if
 /// there were no others.
 struct BandPlan {
@@ -60,8 +62,9 @@ struct SolvePlan {
   std::shared_ptr<const SmoothSurfaces> known_surfaces{};  // of the mesh, from which others are found with less work; may be null
   std::vector<ThinPlateEdge> thin_plate_edges;             // the target's that are known, thinnest first
   std::vector<WedgeSet> wedge_sets;                        // of all frequencies
-  LookPlan looks;                                          // which are computed, and which follow from these
-  std::vector<Skipped> skips;                              // looks and wedges that are known to need no work
+  std::vector<std::shared_ptr<const CornerWaves>> corner_waves{};  // of each of these; none at edge order 1
+  LookPlan looks;                                                  // which are computed, and which follow from these
+  std::vector<Skipped> skips;                                      // looks and wedges that are known to need no work
   std::vector<Skipped> skipped_wedges;     // that carry no fringe current, and why; of thin plates and details at the lowest
                                            // frequency
   std::vector<MechanismEntry> mechanisms;  // beside the tubes, in the order in which they run

@@ -25,20 +25,21 @@ std::shared_ptr<const std::vector<Wedge>> all_in_the_open(std::vector<Wedge> wed
 
 // Screens count only where edges are asked for their currents.
 EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
-  for (const WedgeSet& wedges : setup_.wedges) sets_.push_back(set_of(wedges));
+  for (const WedgesAndCorners& edges : setup_.wedges) sets_.push_back(set_of(edges));
   if (setup_.interaction) prepare_interaction();
   if (setup_.material_edges && !setup_.materials.empty()) materials_.emplace(setup_.materials, setup_.frequencies);
   const bool screened = std::ranges::any_of(setup_.materials, &Material::transmits);
   if (screened && (radiate() || !setup_.skip_enclosed)) screens_.emplace(setup_.tracer.mesh(), setup_.materials);
 }
 
-EdgeSets::Set EdgeSets::set_of(const WedgeSet& wedges) const {
+EdgeSets::Set EdgeSets::set_of(const WedgesAndCorners& edges) const {
+  const WedgeSet& wedges = edges.wedges;
   Set set{};
   set.indices = wedges.indices, set.wedges = wedges.wedges, set.outlines = wedges.outlines;
   for (const std::size_t index : set.indices) set.frequencies.push_back(setup_.frequencies[index]);
   if (!setup_.skip_enclosed) set.wedges = all_in_the_open(*set.wedges);
   if (setup_.fringe.order == 1) return set;
-  set.corners = std::make_shared<CornerWaves>(*set.wedges, setup_.corners);
+  set.corners = edges.corners;
   if (setup_.curved != nullptr) set.curved = std::make_shared<CurvedFaces>(*setup_.curved, *set.wedges);
   return set;
 }

@@ -17,11 +17,17 @@
 
 namespace raytube {
 
+/// Sharp edges at some frequencies, and waves from corner to corner along them; null: at edge order 1.
+struct WedgesAndCorners {
+  WedgeSet wedges;
+  std::shared_ptr<const CornerWaves> corners{};
+};
+
 /// The edges of a target and what is asked of them. What is referred to must outlive the EdgeSets made with it.
 struct EdgeSetup {
   const Tracer& tracer;  // with the mesh
   const FaceTree& faces;
-  std::vector<WedgeSet> wedges;                                       // sharp edges, at all of the frequencies
+  std::vector<WedgesAndCorners> wedges;                               // at all of the frequencies
   std::span<const double> frequencies;                                // [Hz]
   bool interaction = false;                                           // whether edges illuminate other faces
   double interaction_work = std::numeric_limits<double>::infinity();  // that it may take in a look at one frequency (work.h)
@@ -29,7 +35,6 @@ struct EdgeSetup {
   bool material_edges = true;             // whether edges of materials count
   bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
   const CurvedTarget* curved = nullptr;   // if waves over curved surfaces count
-  CornerWaveOptions corners{};            // which waves run along edges
   FringeOptions fringe{};                 // continue_by_images is set where edges illuminate other faces
 };
 
@@ -116,7 +121,7 @@ class EdgeSets {
     void keep(const std::vector<bool>& wanted);
   };
   bool radiates(const Wedge& wedge, EdgeKind kind) const;
-  Set set_of(const WedgeSet& wedges) const;
+  Set set_of(const WedgesAndCorners& edges) const;
   void prepare_interaction();
   void divide_by_mirrors();
   /// Frequencies of a set at which strips run over curved faces, or do not.

@@ -9,14 +9,15 @@ namespace raytube {
 namespace {
 
 // The plan's sets with those of their frequencies that are the band's, counted in the band.
-std::vector<WedgeSet> sets_of(const SolvePlan& plan, const BandPlan& band) {
-  std::vector<WedgeSet> sets;
-  for (const WedgeSet& set : plan.wedge_sets) {
+std::vector<WedgesAndCorners> sets_of(const SolvePlan& plan, const BandPlan& band) {
+  std::vector<WedgesAndCorners> sets;
+  for (std::size_t s = 0; s < plan.wedge_sets.size(); ++s) {
+    const WedgeSet& set = plan.wedge_sets[s];
     WedgeSet part = set;
     part.indices.clear();
     for (std::size_t i = 0; i < band.indices.size(); ++i)
       if (std::ranges::binary_search(set.indices, band.indices[i])) part.indices.push_back(i);
-    if (!part.indices.empty()) sets.push_back(std::move(part));
+    if (!part.indices.empty()) sets.push_back({std::move(part), plan.corner_waves.empty() ? nullptr : plan.corner_waves[s]});
   }
   return sets;
 }
@@ -30,7 +31,6 @@ EdgeSetup edge_setup(const BandScene& scene) {
   setup.material_edges = plan.edges.materials == MaterialEdgeMethod::fringe;
   setup.skip_enclosed = plan.tubes.skip;
   setup.curved = scene.curved ? &*scene.curved : nullptr;
-  setup.corners = plan.edges.corners;
   setup.fringe = {plan.edges.order, plan.edges.receiver_shadow, false};
   return setup;
 }

@@ -77,8 +77,8 @@ MechanismState state_of_corner_waves(const SolvePlan& plan) {
   if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
   if (!(plan.edges.corners.*kind_of_waves<kind>().wanted)) return without(fmt::format("{} is false", kind_of_waves<kind>().key));
   if (plan.edges.order == 1) return without("edges.order is 1");
-  const auto has = [&](const WedgeSet& set) { return CornerWaves(*set.wedges, plan.edges.corners).any(kind); };
-  if (std::ranges::none_of(plan.wedge_sets, has)) return without(kind_of_waves<kind>().none);
+  if (std::ranges::none_of(plan.corner_waves, [](const auto& waves) { return waves->any(kind); }))
+    return without(kind_of_waves<kind>().none);
   return {.on = true, .forced = true, .what = "from corner to corner"};
 }
 
@@ -97,8 +97,7 @@ void tell_corner_waves(const SolvePlan&, const Contribution& waves, std::size_t 
 template <CornerWaveKind kind>
 double bytes_of_corner_waves(const SolvePlan& plan) {
   double bytes = 0.0;
-  for (const WedgeSet& set : plan.wedge_sets)
-    bytes += static_cast<double>(CornerWaves(*set.wedges, plan.edges.corners).bytes(kind));
+  for (const auto& waves : plan.corner_waves) bytes += static_cast<double>(waves->bytes(kind));
   return bytes;
 }
 

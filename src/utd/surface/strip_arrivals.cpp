@@ -21,7 +21,7 @@ class LineIntegral {
   // Adds the strips of all pieces of a line_. What of them arrives at wedges is integrated along the line: where strips graze the
   // wedge their ends are far apart there, and phases turn by more than one piece stands for.
   void add_all() {
-    std::vector<std::optional<StripArrival>> arrivals;
+    std::vector<std::optional<ArrivingStrip>> arrivals;
     const std::vector<BoundaryPiece> pieces = line_.pieces();
     for (const BoundaryPiece& piece : pieces) arrivals.push_back(strip_of_(piece, true));
     if (pieces.empty() || std::ranges::none_of(arrivals, [](const auto& arrival) { return arrival.has_value(); })) return;
@@ -33,37 +33,37 @@ class LineIntegral {
       integrate(middle(pieces.back()), middle(pieces.front()) + line_.measure(), arrivals.back(), arrivals.front());
     } else {
       double last = 0.0;
-      std::optional<StripArrival> before = strip_at(0.0);
+      std::optional<ArrivingStrip> before = strip_at(0.0);
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         const double middle = 0.5 * (pieces[i].from + pieces[i].to);
         integrate(last, middle, i == 0 ? before : arrivals[i - 1], arrivals[i]);
         last = middle;
       }
-      std::optional<StripArrival> after = strip_at(line_.measure());
+      std::optional<ArrivingStrip> after = strip_at(line_.measure());
       integrate(last, line_.measure(), arrivals.back(), after);
       put(before), put(after);
     }
-    for (std::optional<StripArrival>& arrival : arrivals) put(arrival);
+    for (std::optional<ArrivingStrip>& arrival : arrivals) put(arrival);
   }
 
   std::vector<SurfaceArrival> take() { return std::move(arrivals_); }
 
  private:
   // How far from one another strips arrive [m].
-  static double distance(const std::optional<StripArrival>& a, const std::optional<StripArrival>& b) {
+  static double distance(const std::optional<ArrivingStrip>& a, const std::optional<ArrivingStrip>& b) {
     return a && b ? glm::distance(a->arrival.position, b->arrival.position) : std::numeric_limits<double>::infinity();
   }
 
   // Integrates from the strip of one place on a line to that of another. Where they arrive farther apart than a sixth of a
   // wavelength, each half of the stretch is integrated by itself. Ends that two halves in a row, `jumps`, have not brought nearer
   // by a quarter stand on different edges.
-  void integrate(double from, double to, std::optional<StripArrival>& a, std::optional<StripArrival>& b, int jumps = 0) {
+  void integrate(double from, double to, std::optional<ArrivingStrip>& a, std::optional<ArrivingStrip>& b, int jumps = 0) {
     if (!a && !b) return;
     const double apart = distance(a, b);
     if (apart <= 1.0 / 6.0 * wavelength_) return add_between(*a, *b);
     if (to - from > least_part && jumps < 2) {
       const double middle = 0.5 * (from + to);
-      std::optional<StripArrival> between = strip_at(middle);
+      std::optional<ArrivingStrip> between = strip_at(middle);
       const auto jumps_to = [&](double nearer) { return nearer < 0.75 * apart ? 0 : jumps + 1; };
       integrate(from, middle, a, between, jumps_to(distance(a, between)));
       integrate(middle, to, between, b, jumps_to(distance(between, b)));
@@ -71,13 +71,13 @@ class LineIntegral {
     }
     // They end on different lines of edges, or one of them on none.
     const double half = 0.5 * (line_.arc_length(to) - line_.arc_length(from));
-    for (std::optional<StripArrival>* one : {&a, &b})
+    for (std::optional<ArrivingStrip>* one : {&a, &b})
       for (std::size_t f = 0; *one && f < wavenumbers_.size(); ++f)
         (*one)->weight[f] += std::polar(half, wavenumbers_[f] * (*one)->arrival.path);
   }
 
   // Amplitudes and phases linear from one to the other.
-  void add_between(StripArrival& a, StripArrival& b) const {
+  void add_between(ArrivingStrip& a, ArrivingStrip& b) const {
     const double length = b.at - a.at;
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const double k = wavenumbers_[f];
@@ -88,7 +88,7 @@ class LineIntegral {
     }
   }
 
-  void put(std::optional<StripArrival>& strip) {
+  void put(std::optional<ArrivingStrip>& strip) {
     if (!strip) return;
     for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
       const Complex current = strip->current[f] * strip->weight[f];
@@ -98,11 +98,11 @@ class LineIntegral {
   }
 
   // At a place on a line, of a small part of a piece there, for what arrives at wedges alone.
-  std::optional<StripArrival> strip_at(double at) {
+  std::optional<ArrivingStrip> strip_at(double at) {
     const double half = 0.5 * least_part;
     const double all = line_.measure(), from_end = std::min(half, 0.5 * all);
     const double middle = line_.closed() ? at : std::clamp(at, from_end, all - from_end);
-    std::optional<StripArrival> strip = strip_of_(line_.piece(middle - half, middle + half), false);
+    std::optional<ArrivingStrip> strip = strip_of_(line_.piece(middle - half, middle + half), false);
     if (strip) strip->at = line_.arc_length(at);
     return strip;
   }

@@ -12,7 +12,7 @@
 namespace raytube {
 
 /// A strip that has arrived at a wedge, one point of the integral over all that do.
-struct StripArrival {
+struct ArrivingStrip {
   double at;  // arc length of its start along the line of the boundary [m]
   SurfaceArrival arrival;
   std::array<double, 2> magnetic;  // H of the wave where it starts along the binormal, transmit V and H
@@ -21,7 +21,7 @@ struct StripArrival {
 };
 
 /// The strip of a piece of the line, if it arrives at a wedge; its own current counts only if it `radiates`.
-using StripOfPiece = std::function<std::optional<StripArrival>(const BoundaryPiece&, bool radiates)>;
+using StripOfPiece = std::function<std::optional<ArrivingStrip>(const BoundaryPiece&, bool radiates)>;
 
 /// The strips of all pieces of a line, integrated along it: where strips graze the wedge their ends are far apart there, and
 /// phases turn by more than one piece stands for. `wavelength` [m] is the shortest.

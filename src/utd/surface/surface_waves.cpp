@@ -90,7 +90,7 @@ class SurfaceLook {
   void keep(std::vector<SurfaceArrival> arrivals) { std::ranges::move(arrivals, std::back_inserter(result_.arrivals)); }
 
   // The strip of a piece of the boundary, and what of it arrives at a wedge; its own current counts only if it `radiates`.
-  std::optional<StripArrival> strip_of(const BoundaryPiece& piece, double side, bool radiates) {
+  std::optional<ArrivingStrip> strip_of(const BoundaryPiece& piece, double side, bool radiates) {
     const FacetPoint& start = piece.middle;
     if (!target_.runs_over(start.triangle, wavenumbers_.front()) || (side < 0.0 && mesh_.closed(start.triangle))) return {};
     const dvec3 incident = look_.incident(target_.surfaces.facet(start.triangle).point(start.l));
@@ -102,7 +102,7 @@ class SurfaceLook {
     // Rays of one antenna along the surface part as they come: the derivative of d over the boundary is its chord across d / R.
     const StripWidth width{across, across * look_.spreading(q.position)};
     const LookVectors& here = look_.at(q.position);
-    std::optional<StripArrival> arrival =
+    std::optional<ArrivingStrip> arrival =
         follow_dark(DarkStrip{q, mesh_.triangle_component[start.triangle], target_.material(start.triangle), piece.chord, across,
                               q.across(here.magnetic), q.across(here.electric), radiates,
                               GeodesicMarch(target_, start, incident, side, 0.0, width)},
@@ -229,7 +229,7 @@ class SurfaceLook {
     return radius;
   }
 
-  std::optional<StripArrival> follow_dark(DarkStrip strip, double side) {
+  std::optional<ArrivingStrip> follow_dark(DarkStrip strip, double side) {
     put_end(strip);
     GeodesicMarch& end = strip.march;
     while (end.march_to(strip.last + step_limit(strip)) && end.curvature() >= 0.0) {
@@ -239,7 +239,7 @@ class SurfaceLook {
     if (end.lost() || end.curvature() < 0.0) return {};
     if (end.distance() > strip.last) put_end(strip);
     if (end.ended_at() < 0 || strip.material != no_index) return {};
-    StripArrival result{
+    ArrivingStrip result{
         0.0,
         {end.triangle(), end.ended_at(), side < 0.0, end.position(), end.direction(), strip.q.position, strip.path, {}},
         strip.magnetic,

@@ -78,7 +78,7 @@ const Rooms may_include = {
 
     {"uncertainty", base},
 
-    {"plan", base + std::set<std::string>{"scene/keys", "mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "gtd"}},
+    {"plan", base + std::set<std::string>{"scene/keys", "mesh", "mesh/soundness", "sbr", "sbr/launch", "utd/fringe", "utd/corner", "gtd"}},
     {"solve/mechanisms",
      base + std::set<std::string>{"plan", "sbr", "sbr/beams", "uncertainty", "utd", "utd/fringe", "utd/interaction", "utd/fock",
                                   "utd/rounded", "utd/surface", "utd/tip", "utd/corner"}},
