@@ -24,7 +24,7 @@ std::shared_ptr<const std::vector<Wedge>> all_in_the_open(std::vector<Wedge> wed
 }  // namespace
 
 // Screens count only where edges are asked for their currents.
-EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup) {
+EdgeSets::EdgeSets(const EdgeSetup& setup) : setup_(setup), reach_(setup.frequencies.size()) {
   for (const WedgesAndCorners& edges : setup_.wedges) sets_.push_back(set_of(edges));
   if (setup_.interaction) prepare_interaction();
   if (setup_.material_edges && !setup_.materials.empty()) materials_.emplace(setup_.materials, setup_.frequencies);
@@ -72,30 +72,42 @@ void EdgeSets::divide_by_mirrors() {
 // Currents run on as images over right-angled corners where edges illuminate other faces, and only there: such frequencies are a
 // set of their own.
 void EdgeSets::prepare_interaction() {
-  const TriangleMesh& mesh = setup_.tracer.mesh();
   divide_by_mirrors();
-  std::vector<Set> without;
-  for (Set& set : sets_) {
-    std::vector<bool> wanted(set.indices.size(), true), illuminating(set.indices.size());
-    InteractionParts parts(mesh, *set.wedges, {setup_.materials, set.indices}, wavenumber(set.frequencies.front()));
-    for (const InteractionGroup& group : interaction_groups(parts, set.frequencies, wanted))
-      for (const std::size_t index : group.indices) illuminating[index] = true;
-    if (std::ranges::find(illuminating, true) == illuminating.end()) continue;
-    if (std::ranges::find(illuminating, false) != illuminating.end()) {
-      without.push_back(set);
-      set.keep(illuminating);
-      illuminating.flip();
-      without.back().keep(illuminating);
+  std::vector<Set> divided;
+  for (const Set& set : sets_) {
+    const std::size_t count = set.indices.size();
+    const InteractionParts parts(setup_.tracer.mesh(), *set.wedges, {setup_.materials, set.indices},
+                                 wavenumber(set.frequencies.front()));
+    std::vector<bool> continuing(count);
+    std::vector<PairPlan> plans;
+    const std::vector<InteractionGroup> groups = interaction_groups(parts, set.frequencies, std::vector<bool>(count, true));
+    for (const InteractionGroup& group : groups) {
+      plans.push_back(plan_of(parts, group));
+      const double reach = plans.back().reach();
+      for (const std::size_t i : group.indices) {
+        reach_[set.indices[i]] = reach;
+        continuing[i] = reach > 0.0 && reach >= setup_.least_reach;
+      }
     }
-    set.parts = std::move(parts);
-    set.interaction = interaction_groups(set.parts, set.frequencies, std::vector<bool>(set.indices.size(), true));
-    for (const InteractionGroup& group : set.interaction) {
-      set.plans.push_back(plan_of(set.parts, group));
-      std::vector<std::size_t>& indices = set.group_indices.emplace_back();
-      for (const std::size_t i : group.indices) indices.push_back(set.indices[i]);
+    for (const bool continues : {true, false}) {
+      if (std::ranges::find(continuing, continues) == continuing.end()) continue;
+      Set& part = divided.emplace_back(set);
+      std::vector<bool> kept = continuing;
+      if (!continues) kept.flip();
+      part.keep(kept);
+      part.continues = continues;
+      if (!continues && setup_.least_reach > 0.0) continue;
+      part.parts = parts;
+      part.interaction = interaction_groups(parts, part.frequencies, std::vector<bool>(part.indices.size(), true));
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        if (continuing[groups[g].indices.front()] == continues) part.plans.push_back(plans[g]);
+      for (const InteractionGroup& group : part.interaction) {
+        std::vector<std::size_t>& indices = part.group_indices.emplace_back();
+        for (const std::size_t i : group.indices) indices.push_back(part.indices[i]);
+      }
     }
   }
-  std::ranges::move(without, std::back_inserter(sets_));
+  sets_ = std::move(divided);
   std::ranges::sort(sets_, std::ranges::greater{}, [](const Set& set) { return std::ranges::max(set.frequencies); });
 }
 
@@ -152,7 +164,7 @@ std::vector<EdgeSets::SetPart> EdgeSets::parts_of(const Set& set, const WavesAtE
 FringeOptions EdgeSets::options(const Set& set, EdgeKind kind) const {
   FringeOptions options = setup_.fringe;
   options.of_materials = kind == EdgeKind::materials;
-  options.continue_by_images = !set.interaction.empty();
+  options.continue_by_images = set.continues;
   return options;
 }
 
@@ -247,14 +259,6 @@ std::vector<SurfaceRay> EdgeSets::surface_rays(const Look& look, const Radar& ra
   return rays;
 }
 
-std::vector<bool> EdgeSets::interacting() const {
-  std::vector<bool> frequencies(setup_.frequencies.size());
-  for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction)
-      for (const std::size_t i : group.indices) frequencies[set.indices[i]] = true;
-  return frequencies;
-}
-
 InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGroup& group) const {
   const InteractionParts& parts = set.parts;
   const auto number = static_cast<std::size_t>(&group - set.interaction.data());
@@ -262,23 +266,12 @@ InteractionScene EdgeSets::interaction_scene(const Set& set, const InteractionGr
   return {{*set.wedges, *set.outlines, setup_.tracer}, faces, parts.axes, group.shortest_axis, parts.patches, set.plans[number]};
 }
 
-std::vector<double> EdgeSets::interaction_reach() const {
-  std::vector<double> reach(setup_.frequencies.size(), 0.0);
-  for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction)
-      for (const std::size_t i : group.indices) reach[set.indices[i]] = interaction_scene(set, group).plan.reach();
-  return reach;
-}
-
 InteractionResult EdgeSets::interaction(const Look& look, const InteractionLimits& limits) const {
   InteractionResult all;
   const InteractionOptions options{setup_.fringe.order, limits.tolerance, limits.antennas};
   for (const Set& set : sets_)
-    for (const InteractionGroup& group : set.interaction) {
-      const InteractionScene scene = interaction_scene(set, group);
-      if (scene.plan.reach() >= limits.least_reach)
-        put(set, group, interaction_scattering(scene, look, group.frequencies, options), all);
-    }
+    for (const InteractionGroup& group : set.interaction)
+      put(set, group, interaction_scattering(interaction_scene(set, group), look, group.frequencies, options), all);
   return all;
 }
 
@@ -306,7 +299,6 @@ std::vector<ImageEdge> EdgeSets::interaction_pieces(const Look& look, std::size_
       for (std::size_t i = 0; i < group.indices.size(); ++i) {
         if (set.indices[group.indices[i]] != frequency_index) continue;
         InteractionScene scene = interaction_scene(set, group);
-        if (scene.plan.reach() < limits.least_reach) return {};
         scene.faces.materials.frequencies = scene.faces.materials.frequencies.subspan(i, 1);
         return raytube::interaction_pieces(scene, look, group.frequencies[i],
                                            {setup_.fringe.order, limits.tolerance, limits.antennas},

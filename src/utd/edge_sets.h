@@ -31,6 +31,7 @@ struct EdgeSetup {
   std::span<const double> frequencies;                                // [Hz]
   bool interaction = false;                                           // whether edges illuminate other faces
   double interaction_work = std::numeric_limits<double>::infinity();  // that it may take in a look at one frequency (work.h)
+  double least_reach = 0.0;               // of its plan of pairs, below which it is left out at a frequency
   std::span<const Material> materials{};  // of the mesh, at the frequencies; empty: perfect conductors alone
   bool material_edges = true;             // whether edges of materials count
   bool skip_enclosed = true;              // false: even edges that no light reaches are tested for light
@@ -50,7 +51,6 @@ struct WavesAtEdges {
 /// How edge-face interaction of one look is computed.
 struct InteractionLimits {
   double tolerance;                        // of its quadrature [m]
-  double least_reach = 0.0;                // groups of frequencies whose plans reach less are left out
   const NearAntennas* antennas = nullptr;  // of InteractionOptions
 };
 
@@ -94,11 +94,8 @@ class EdgeSets {
   /// at any.
   InteractionResult interaction(const Look& look, const InteractionLimits& limits) const;
 
-  /// At which frequencies there is any.
-  std::vector<bool> interacting() const;
-
-  /// Share of the squares expected of it that the work allowed reaches, at each frequency; 0 where there is none.
-  std::vector<double> interaction_reach() const;
+  /// Share of the squares expected of it that the work allowed reaches, [frequency]; none where there is none to be expected.
+  const std::vector<std::optional<double>>& interaction_reach() const { return reach_; }
 
   /// Edge-face interaction of one look at one of the frequencies, by pieces of edges: see interaction_pieces().
   std::vector<ImageEdge> interaction_pieces(const Look& look, std::size_t frequency_index, const InteractionLimits& limits,
@@ -115,6 +112,7 @@ class EdgeSets {
     std::vector<InteractionGroup> interaction;              // its indices are those of the set's frequencies
     InteractionParts parts;                                 // empty where there is no interaction
     std::vector<PairPlan> plans;                            // of each group
+    bool continues = false;                                 // strips run on as images over right-angled corners
     std::vector<std::vector<std::size_t>> group_indices{};  // of each group, in the list of all frequencies
 
     // Only these of the frequencies.
@@ -141,7 +139,8 @@ class EdgeSets {
   static void put(const std::vector<std::size_t>& indices, const EdgeLookResult& part, EdgeLookResult& all);
 
   EdgeSetup setup_;
-  std::vector<Set> sets_;  // highest frequency first
+  std::vector<Set> sets_;                     // highest frequency first
+  std::vector<std::optional<double>> reach_;  // [frequency] of edge-face interaction; none where there is none
   std::optional<OpaqueAndScreens> screens_;
   std::optional<EdgeMaterials> materials_;  // if edges of materials count
 };

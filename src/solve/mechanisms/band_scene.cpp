@@ -27,6 +27,7 @@ EdgeSetup edge_setup(const BandScene& scene) {
   EdgeSetup setup{plan.target.tracer, plan.target.faces, sets_of(plan, scene.band), scene.band.frequencies};
   setup.interaction = interacts(plan, scene.band);
   setup.interaction_work = interaction_work(plan);
+  setup.least_reach = least_reach_of_interaction(plan);
   if (plan.fringe()) setup.materials = scene.materials;
   setup.material_edges = plan.edges.materials == MaterialEdgeMethod::fringe;
   setup.skip_enclosed = plan.tubes.skip;

@@ -48,16 +48,14 @@ double isotropic_level(const TriangleMesh& mesh) {
 
 class Interaction : public Mechanism {
  public:
-  Interaction(const BandScene& scene, std::vector<bool> frequencies)
+  explicit Interaction(const BandScene& scene)
       : scene_(scene),
-        frequencies_(std::move(frequencies)),
         limits_{interaction_quadrature_error(relative_tolerance(scene.plan.tubes.tolerance_db),
-                                             isotropic_level(scene.plan.target.mesh)),
-                scene.plan.edges.interaction.forced() ? 0.0 : least_reach} {
-    if (scene.plan.edges.interaction.forced()) return;
-    const std::vector<double> reach = scene.edges.interaction_reach();
-    reach_ = std::ranges::max(reach);
-    for (std::size_t f = 0; f < reach.size(); ++f) frequencies_[f] = frequencies_[f] && reach[f] >= least_reach;
+                                             isotropic_level(scene.plan.target.mesh))} {
+    for (const std::optional<double>& reach : scene.edges.interaction_reach()) {
+      frequencies_.push_back(reach && *reach >= least_reach_of_interaction(scene.plan));
+      reach_ = std::max(reach_, reach.value_or(0.0));
+    }
   }
 
   Prospect prospect(const TracedLook&) const override {
@@ -134,7 +132,7 @@ class Interaction : public Mechanism {
   const BandScene& scene_;
   std::vector<bool> frequencies_;  // at which there is any, and the budget reaches enough of it
   InteractionLimits limits_;
-  double reach_ = 1.0;
+  double reach_ = 0.0;
 };
 
 MechanismState state_of_interaction(const SolvePlan& plan) {
@@ -166,9 +164,9 @@ MechanismState state_of_interaction(const SolvePlan& plan) {
 }
 
 std::unique_ptr<Mechanism> make_interaction(const BandScene& scene) {
-  std::vector<bool> frequencies = scene.edges.interacting();
-  if (std::ranges::find(frequencies, true) == frequencies.end()) return nullptr;
-  return std::make_unique<Interaction>(scene, std::move(frequencies));
+  const auto is_there = [](const std::optional<double>& reach) { return reach.has_value(); };
+  if (std::ranges::none_of(scene.edges.interaction_reach(), is_there)) return nullptr;
+  return std::make_unique<Interaction>(scene);
 }
 
 // Sheets end the waves of edges, and a budget that affords no pair is none.
@@ -243,6 +241,8 @@ double bound_of_interaction(const AmplitudeLimits& limits) { return limits.surfa
 bool interacts(const SolvePlan& plan, const BandPlan& band) {
   return !band.convexity.no_reflection && plan.state("interaction").on;
 }
+
+double least_reach_of_interaction(const SolvePlan& plan) { return plan.edges.interaction.forced() ? 0.0 : least_reach; }
 
 double interaction_work(const SolvePlan& plan) {
   const Target& target = plan.target;

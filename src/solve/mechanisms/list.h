@@ -39,6 +39,8 @@ MechanismEntry interaction_entry();
 bool interacts(const SolvePlan& plan, const BandPlan& band);
 /// Why pairs of an edge and a face are left out that might matter.
 inline constexpr const char* beyond_budget = "beyond edges.between_budget";
+/// Share of the squares expected of it that its budget must reach at a frequency; none if it is forced.
+double least_reach_of_interaction(const SolvePlan& plan);
 /// What edge-face interaction may take in a look at one frequency, the same in all of them: of the counted work
 /// (utd/wedge/work.h) that tubes and edges of such a target take.
 double interaction_work(const SolvePlan& plan);

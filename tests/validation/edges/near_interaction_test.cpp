@@ -29,7 +29,7 @@ struct Body {
     const Radar radar;
     const AntennaPair pair(look, radar, mesh.center);
     const NearAntennas antennas{ImageAntenna(pair.transmit), &pair.receive};
-    return band.edges.interaction(look, {1e-6 * lambda, 0.0, &antennas});
+    return band.edges.interaction(look, {1e-6 * lambda, &antennas});
   }
 
   TriangleMesh mesh;

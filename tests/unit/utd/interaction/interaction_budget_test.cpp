@@ -127,6 +127,19 @@ TEST(InteractionReach, LessThanHalfIsNone) {
   EXPECT_EQ(std::memcmp(&rich.total[0], &all.total[0], sizeof(ScatteringMatrix)), 0);
 }
 
+// Strips that end at the foot of a cube on a block run on as images only where what edges send to other faces counts, too.
+TEST(InteractionReach, WithoutItEdgesAreThoseWithoutInteraction) {
+  const auto solved = [&](Use use, double budget) {
+    SolveOptions o = adaptive(true, 2);
+    o.edges.interaction = use;
+    o.edges.interaction_budget = budget;
+    return solve_soup(cube_on_block(6 * lambda, lambda, 2 * lambda), monostatic({{70 * degree, 25 * degree}}, frequency), o)
+        .total[0];
+  };
+  EXPECT_EQ(solved({}, 0.01).s, solved(false, 0.01).s);
+  EXPECT_GT(largest(solved({}, 1e6) - solved(false, 1e6)), 1e-3 * lambda);
+}
+
 TEST(PairPlan, AzimuthsOfFacesMissNothing) {
   std::mt19937 random(7);
   int met = 0;
