@@ -202,13 +202,21 @@ std::vector<ImageEdge> EdgeSets::pieces(const Look& look, const Radar& radar, co
 }
 
 bool EdgeSets::has_corner_waves(CornerWaveKind kind) const {
-  return std::ranges::any_of(sets_, [&](const Set& set) { return set.corners != nullptr && set.corners->any(kind); });
+  return std::ranges::any_of(sets_, [&](const Set& set) { return set.corners != nullptr && set.corners->count(kind) > 0; });
+}
+
+std::vector<double> EdgeSets::corner_wave_amplitudes(CornerWaveKind kind) const {
+  std::vector<double> amplitudes(setup_.frequencies.size());
+  for (const Set& set : sets_)
+    for (const std::size_t i : set.indices)
+      amplitudes[i] = CornerWaves::amplitude(kind, set.corners->count(kind), wavelength(setup_.frequencies[i]));
+  return amplitudes;
 }
 
 CornerWaveSum EdgeSets::corner_waves(const Look& look, const Radar& radar, CornerWaveKind kind) const {
   CornerWaveSum all{std::vector<ScatteringMatrix>(setup_.frequencies.size())};
   for (const Set& set : sets_) {
-    if (!set.corners->any(kind)) continue;
+    if (set.corners->count(kind) == 0) continue;
     const CornerWaveSum part = corner_wave_scattering(scene(set, false), look_of(look, radar, set.frequencies),
                                                       {set.frequencies, set.indices}, options(set), kind);
     for (std::size_t i = 0; i < set.indices.size(); ++i) all.scattering[set.indices[i]] = part.scattering[i];

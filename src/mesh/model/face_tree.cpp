@@ -102,43 +102,53 @@ void FaceTree::set_lane(std::uint32_t node, int lane, const Box& box, std::uint3
   n.begin[lane] = begin, n.end[lane] = end, n.child[lane] = child;
 }
 
-// A prism as slabs: directions, how much of each a box's sides cover, and the bounds along them.
+// A prism as slabs and half spaces: directions, how much of each a box's sides cover, and the bounds along them.
 struct FaceTree::Query {
-  struct Slab {
+  struct Side {
     glm::vec3 axis, cover;
-    float low, high;
+    float low;
+    Side() = default;
+    Side(const dvec3& direction, double least) : axis(direction), cover(glm::abs(direction)), low(static_cast<float>(least)) {}
+    Lanes at(const Node& n) const { return axis.x * n.x + axis.y * n.y + axis.z * n.z; }
+    Lanes reach(const Node& n) const { return cover.x * n.half_x + cover.y * n.half_y + cover.z * n.half_z; }
+    auto touched(const Node& n) const { return at(n) + reach(n) >= low; }
+  };
+  struct Slab : Side {
+    float high;
+    Slab(const dvec3& direction, double least, double most) : Side(direction, least), high(static_cast<float>(most)) {}
     auto touched(const Node& n) const {
-      const Lanes at = axis.x * n.x + axis.y * n.y + axis.z * n.z;
-      const Lanes reach = cover.x * n.half_x + cover.y * n.half_y + cover.z * n.half_z;
-      return (at + reach >= low) & (at - reach <= high);
+      const Lanes middle = at(n), half = reach(n);
+      return (middle + half >= low) & (middle - half <= high);
     }
   };
 
-  explicit Query(const Prism& p) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto slab = [&](int i, const dvec3& axis, double low, double high) {
-      const double base = glm::dot(axis, p.base);
-      slabs[i] = {axis, glm::abs(axis), static_cast<float>(low + base), static_cast<float>(high + base)};
-    };
-    slab(0, p.u_hat, p.low.x, p.high.x);
-    slab(1, p.v_hat, p.low.y, p.high.y);
-    slab(2, p.direction, -infinity, p.farthest);
-    if (!p.floor) return;
-    const double sign = p.floor_facing > 0.0 ? 1.0 : -1.0;
-    slabs[3] = {sign * p.floor->normal, glm::abs(p.floor->normal), static_cast<float>(sign * p.floor->offset),
-                std::numeric_limits<float>::infinity()};
-    count = 4;
+  explicit Query(const Prism& p)
+      : slabs{slab(p.base, p.u_hat, p.low.x, p.high.x), slab(p.base, p.v_hat, p.low.y, p.high.y),
+              slab(p.base, p.direction, -std::numeric_limits<double>::infinity(), p.farthest)},
+        count(p.side_count) {
+    for (std::size_t i = 0; i < count; ++i) sides[i] = {p.sides[i].axis, p.sides[i].least};
   }
 
-  // Bit l: the box of lane l reaches into all slabs.
+  static Slab slab(const dvec3& base, const dvec3& axis, double low, double high) {
+    const double from = glm::dot(axis, base);
+    return {axis, low + from, high + from};
+  }
+
+  // Bit l: the box of lane l reaches into all slabs and half spaces.
   unsigned touched(const Node& n) const {
-    auto inside = slabs[0].touched(n);
-    for (int i = 1; i < count; ++i) inside &= slabs[i].touched(n);
-    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(inside)));
+    unsigned inside = bits(slabs[0].touched(n) & slabs[1].touched(n) & slabs[2].touched(n));
+    for (std::size_t i = 0; i < count && inside; ++i) inside &= bits(sides[i].touched(n));
+    return inside;
   }
 
-  std::array<Slab, 4> slabs;
-  int count = 3;
+  template <class Mask>
+  static unsigned bits(const Mask& lanes_inside) {
+    return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(lanes_inside)));
+  }
+
+  std::array<Slab, 3> slabs;
+  std::array<Side, Prism::most_sides> sides;
+  std::size_t count;
 };
 
 void FaceTree::collect(const Prism& prism, std::vector<std::uint32_t>& found, std::size_t most) const {

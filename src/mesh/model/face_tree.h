@@ -11,14 +11,26 @@
 
 namespace raytube {
 
+/// What lies on one side of a plane: all points r with axis . r >= least. The axis is a unit vector.
+struct PrismSide {
+  dvec3 axis;
+  double least;  // [m]
+};
+
 /// A bundle of parallel lines, bounded by a rectangle across them and by depths along them. Coordinates count from `base`.
 struct Prism {
   dvec3 base;                                                 // recentred coordinates [m]
   dvec3 u_hat, v_hat, direction;                              // orthonormal
   dvec2 low, high;                                            // bounds along u_hat and v_hat
   double farthest = std::numeric_limits<double>::infinity();  // bound along `direction` [m]
-  const Patch* floor = nullptr;                               // the plane the lines start from: only what reaches above it counts
-  double floor_facing = 0.0;                                  // above zero: the lines rise on the side its normal points to
+  /// Bounds it further: only what reaches into all of these counts. Any number of them may be left out.
+  static constexpr std::size_t most_sides = 8;
+  std::array<PrismSide, most_sides> sides{};
+  std::size_t side_count = 0;
+
+  void add(const PrismSide& side) {
+    if (side_count < most_sides) sides[side_count++] = side;
+  }
 };
 
 /// A face and what holds it, while the tree is built.

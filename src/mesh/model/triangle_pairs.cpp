@@ -78,8 +78,9 @@ double solid_angle(const Corners& corners) {
 void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found) {
   const Box box = bounding_box(corners);
   const dvec3 low = box.low - margin, high = box.high + margin;
-  const Patch bottom{dvec3(0, 0, 1), low.z};
-  const Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), bottom.normal, dvec2(low), dvec2(high), high.z, &bottom, 1.0};
+  const dvec3 up(0, 0, 1);
+  Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), up, dvec2(low), dvec2(high), high.z};
+  prism.add({up, low.z});
   faces.collect(prism, found);
 }
 

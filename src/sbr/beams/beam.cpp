@@ -64,9 +64,31 @@ Ray tube_ray(const Beam& beam, const dvec2& at, const Patch* source, std::uint32
   return {point_at(beam, at, depth), glm::normalize(beam.direction + beam.curvature * across), source_patch};
 }
 
-Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double farthest, double radius) {
-  Prism prism{beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest, source};
-  if (source) prism.floor_facing = facing(beam, *source);
+namespace {
+
+// Above the plane that the beam starts from.
+PrismSide ahead_of(const Beam& beam, const Patch& source) {
+  const double side = facing(beam, source) > 0.0 ? 1.0 : -1.0;
+  return {side * source.normal, side * source.offset};
+}
+
+// The points whose launch coordinates lie within an edge.
+PrismSide within(const Beam& beam, const Affine& edge) {
+  const dvec3 across = edge.u * beam.u_hat + edge.v * beam.v_hat;
+  if (!beam.spherical()) return {across, glm::dot(across, beam.base) - edge(beam.anchor)};
+  const dvec3 axis = across + edge.c * beam.curvature * beam.direction;
+  const double scale = 1.0 / glm::length(axis);
+  return {scale * axis, scale * (glm::dot(axis, beam.base) - edge.c)};
+}
+
+}  // namespace
+
+Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, const ConvexPolygon* region, double farthest,
+               double radius) {
+  Prism prism{beam.base, beam.u_hat, beam.v_hat, beam.direction, box.low - beam.anchor, box.high - beam.anchor, farthest};
+  if (source) prism.add(ahead_of(beam, *source));
+  if (region)
+    for (const Corner& corner : *region) prism.add(within(beam, corner.edge));
   if (!beam.spherical()) return prism;
   const double middle = -glm::dot(beam.direction, beam.base), widest = 1.0 + beam.curvature * (middle + radius),
                narrowest = std::max(0.0, 1.0 + beam.curvature * (middle - radius));

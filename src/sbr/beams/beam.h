@@ -89,8 +89,9 @@ inline dvec3 point_at(const Beam& beam, const dvec2& at, double depth) {
 /// The tube's ray from the surface it leaves; null: as launched.
 Ray tube_ray(const Beam& beam, const dvec2& at, const Patch* source, std::uint32_t source_patch);
 
-/// All that the beam can meet of a box in launch coordinates, perhaps more: up to a depth, of a target of this radius about the
-/// origin.
-Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, double farthest, double radius);
+/// All that the beam can meet of a box in launch coordinates, or of a polygon in that box if one is given, perhaps more: up to a
+/// depth, of a target of this radius about the origin.
+Prism prism_of(const Beam& beam, const Patch* source, const Bounds& box, const ConvexPolygon* region, double farthest,
+               double radius);
 
 }  // namespace raytube

@@ -59,8 +59,8 @@ Coverage::Coverage(const FaceTree* faces, const LaunchGrid& grid, const CellBloc
       high{grid.u_begin + tile.column_end * grid.du, grid.v_begin + tile.row_end * grid.dv};
   const std::size_t most_faces = cells_.size() / cells_per_face;
   std::vector<std::uint32_t> found;
-  faces->collect(prism_of(beam_, nullptr, {low, high}, std::numeric_limits<double>::infinity(), faces->mesh().radius), found,
-                 most_faces);
+  faces->collect(prism_of(beam_, nullptr, {low, high}, nullptr, std::numeric_limits<double>::infinity(), faces->mesh().radius),
+                 found, most_faces);
   if (found.size() > most_faces) {
     std::ranges::fill(cells_, 1);
     return;

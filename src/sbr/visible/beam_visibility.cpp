@@ -78,7 +78,7 @@ void BeamVisibility::within(const Beam& incident, const ConvexPolygon& region, s
 }
 
 void BeamVisibility::meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts) {
-  tree_.collect(prism_of(view.beam, view.source, view.box, farthest, tree_.mesh().radius), found_);
+  tree_.collect(prism_of(view.beam, view.source, view.box, view.region, farthest, tree_.mesh().radius), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
   if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
@@ -128,7 +128,7 @@ void BeamVisibility::uncover_group(const BeamView& view, std::span<const Project
     uncover_group(view, faces.first(faces.size() / 2), parts);
     return uncover_group(view, faces.subspan(faces.size() / 2), parts);
   }
-  tree_.collect(prism_of(view.beam, view.source, box, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
+  tree_.collect(prism_of(view.beam, view.source, box, nullptr, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
   BeamView narrowed = view;
   narrowed.box = box;
   gather(narrowed, found_in_front_, in_front_);

@@ -26,7 +26,8 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
   const Patch& plane = tree_.mesh().patches[source.patch];
   f.tilt = std::abs(facing(view.beam, plane));
   f.face = face, f.patch = source.patch, f.triangle = source.triangle;
-  if (!set_outline(view, f) || (view.region && !clip_to_region(f.outline))) return false;
+  if (!set_outline(view, f)) return false;
+  if (view.region && (separates(f.outline, *view.region) || !clip_to_region(f.outline))) return false;
   f.depth = depth_of(view.beam, plane);
   if (view.source) clip_to_front(view, f);
   if (f.outline.empty()) return false;

@@ -49,20 +49,30 @@ const KindOfCornerWaves& kind_of_waves() {
   return all[static_cast<std::size_t>(kind)];
 }
 
+// They run where they may add more than this share of a row's tolerance.
+constexpr double least_tolerances = 0.5;
+
 template <CornerWaveKind kind>
 class CornerWavesOfLook : public Mechanism {
  public:
   explicit CornerWavesOfLook(const BandScene& scene) : scene_(scene) {}
 
-  Contribution solve(const TracedLook& traced, const std::vector<bool>&, LookSink& sink) const override {
+  Prospect prospect(const TracedLook&) const override {
+    return {.amplitude = scene_.edges.corner_wave_amplitudes(kind), .tolerances = least_tolerances};
+  }
+
+  Contribution solve(const TracedLook& traced, const std::vector<bool>& wanted, LookSink& sink) const override {
     const Radar& radar = scene_.plan.sweep.radar;
     if (sink.image) {
+      if (!wanted[sink.image->frequency_index]) return {};
       const PieceRequest request{sink.image->frequency_index, sink.image->lattice, sink.image->by_path};
       std::ranges::move(scene_.edges.corner_wave_pieces(traced.look, radar, request, kind),
                         std::back_inserter(sink.image->pieces));
       return {};
     }
     CornerWaveSum found = scene_.edges.corner_waves(traced.look, radar, kind);
+    for (std::size_t f = 0; f < wanted.size(); ++f)
+      if (!wanted[f]) found.scattering[f] = {};
     return {.s = {std::move(found.scattering)},
             .work = found.work,
             .counts = {{.what = kind_of_waves<kind>().name, .count = found.edges, .fold = Fold::most}}};
@@ -77,9 +87,9 @@ MechanismState state_of_corner_waves(const SolvePlan& plan) {
   if (!plan.fringe()) return without(edge_currents_state(plan).why_not);
   if (!(plan.edges.corners.*kind_of_waves<kind>().wanted)) return without(fmt::format("{} is false", kind_of_waves<kind>().key));
   if (plan.edges.order == 1) return without("edges.order is 1");
-  if (std::ranges::none_of(plan.corner_waves, [](const auto& waves) { return waves->any(kind); }))
+  if (std::ranges::none_of(plan.corner_waves, [](const auto& waves) { return waves->count(kind) > 0; }))
     return without(kind_of_waves<kind>().none);
-  return {.on = true, .forced = true, .what = "from corner to corner"};
+  return {.on = true, .what = "from corner to corner", .when = "in looks in which they may change S"};
 }
 
 template <CornerWaveKind kind>

@@ -39,8 +39,8 @@ class CornerWaves {
 
   /// Of which kind edge `wedge` is; none if it has no such waves.
   std::optional<CornerWaveKind> kind(std::uint32_t wedge) const { return kinds_[wedge]; }
-  /// Whether any edge is of this kind.
-  bool any(CornerWaveKind kind) const;
+  /// How many wedges are of this kind.
+  std::size_t count(CornerWaveKind kind) const;
 
   /// The waves of transmitter and receiver at a corner.
   struct Visit {
@@ -53,6 +53,9 @@ class CornerWaves {
   const SolidEdge* solid(std::uint32_t wedge) const { return solids_[wedge] && !edges_[wedge] ? &*solids_[wedge] : nullptr; }
   /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
   double part(std::uint32_t wedge, const dvec3& incident) const;
+
+  /// Estimate of what the waves along so many edges of this kind add to |S| at most [m], their phases independent.
+  static double amplitude(CornerWaveKind kind, std::size_t edges, double wavelength);
 
   /// Where edge `wedge` has its corners.
   std::array<dvec3, 2> corners_of(std::uint32_t wedge) const;

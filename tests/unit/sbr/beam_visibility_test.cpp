@@ -1,4 +1,6 @@
 // Hidden surfaces in the launch plane: which beam reaches how much of which face.
+#include "sbr/visible/beam_visibility.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <random>
 
 #include "sbr/beams/footprint.h"
-#include "sbr/visible/beam_visibility.h"
 #include "shapes.h"
 
 namespace raytube {
@@ -155,6 +156,36 @@ TEST(BeamVisibility, AConvexBodyDoesNotSeeItself) {
   for (const PolygonSoup& soup : {shapes::cube(1.0), shapes::icosphere(3, 1.0), shapes::cylinder(0.3, 1.0, 48)}) {
     View view(soup, oblique);
     for (const VisiblePart& part : view.direct) EXPECT_TRUE(view.reflected(part).empty());
+  }
+}
+
+// Faces beside a region are left out where its bounding box still has them, and only those: of a plane wave, and of the same wave
+// from an antenna at three radii.
+TEST(BeamVisibility, AsksForTheFacesOfARegionAlone) {
+  const View view(shapes::icosphere(3, 1.0), oblique);
+  const ConvexPolygon region = [] {
+    ConvexPolygon triangle;
+    set_corners(triangle, std::array{dvec2(-0.4, -0.3), dvec2(0.5, 0.4), dvec2(0.45, 0.5)});
+    return triangle;
+  }();
+  Beam from_antenna = view.incident;
+  from_antenna.anchor = dvec2(0.0), from_antenna.base = dvec3(0.0), from_antenna.curvature = 1.0 / 3.0;
+  for (const Beam& beam : {view.incident, from_antenna}) {
+    const auto found = [&](const ConvexPolygon* within) {
+      std::vector<std::uint32_t> faces;
+      view.tree.collect(prism_of(beam, nullptr, bounds(region), within, 1e9, 1.0), faces);
+      return faces;
+    };
+    const std::vector<std::uint32_t> in_box = found(nullptr), in_region = found(&region);
+    EXPECT_LT(in_region.size(), 0.7 * static_cast<double>(in_box.size()));
+    for (const std::uint32_t face : in_box) {
+      if (std::ranges::count(in_region, face)) continue;
+      const auto beyond = [&](const Corner& side) {
+        return std::ranges::all_of(view.tree.points(face),
+                                   [&](const dvec3& corner) { return side.edge(launch_coordinates(beam, corner)) < 0.0; });
+      };
+      EXPECT_TRUE(std::ranges::any_of(region, beyond)) << face;
+    }
   }
 }
 

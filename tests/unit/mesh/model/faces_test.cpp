@@ -116,8 +116,7 @@ TEST(FaceTree, FindsEveryFaceInThePrism) {
   const SphericalBasis basis = spherical_basis({0.7, 0.4});
   std::vector<std::uint32_t> found;
   for (const double farthest : {-0.5, 0.2, 1e9}) {
-    const Prism prism{dvec3(0.1, 0.0, 0.2), basis.theta_hat, basis.phi_hat, basis.radial,
-                      {-0.3, -0.1},         {0.2, 0.4},      farthest,      nullptr};
+    const Prism prism{dvec3(0.1, 0.0, 0.2), basis.theta_hat, basis.phi_hat, basis.radial, {-0.3, -0.1}, {0.2, 0.4}, farthest};
     tree.collect(prism, found);
     EXPECT_LT(found.size(), tree.faces().size() / 2);
     for (std::uint32_t f = 0; f < tree.faces().size(); ++f)
@@ -130,15 +129,15 @@ TEST(FaceTree, FindsEveryFaceInThePrism) {
   }
 }
 
-TEST(FaceTree, LooksOnlyAboveItsFloor) {
+TEST(FaceTree, LooksOnlyWithinTheSidesOfAPrism) {
   const TriangleMesh mesh = build_mesh(shapes::icosphere(3), 1.0).mesh;
   const FaceTree tree(mesh);
   const Patch floor{glm::normalize(dvec3(1, 1, 0)), 0.6};
   for (const double side : {1.0, -1.0}) {
     std::vector<std::uint32_t> found;
-    tree.collect(
-        {dvec3(0.0), {0, 0, 1}, glm::normalize(dvec3(1, -1, 0)), side * floor.normal, {-9, -9}, {9, 9}, 1e9, &floor, side},
-        found);
+    Prism prism{dvec3(0.0), {0, 0, 1}, glm::normalize(dvec3(1, -1, 0)), side * floor.normal, {-9, -9}, {9, 9}, 1e9};
+    prism.add({side * floor.normal, side * floor.offset});
+    tree.collect(prism, found);
     std::vector<bool> is_found(tree.faces().size(), false);
     for (const std::uint32_t f : found) is_found[f] = true;
     for (std::uint32_t f = 0; f < tree.faces().size(); ++f) {
