@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """A car of our own as a mesh: a smooth shell with cabin and wheel arches, four wheels, two mirrors, a silencer below the floor.
 
-    bench/car.py CAR.ply [--facets 8400]
+    bench/car.py CAR.ply [--facets 8400] [--trim 0]
 
 Eight closed bodies apart from one another, normals outward, in metres: 4.4 long, 1.8 wide without mirrors, 1.4 high, driving
 along +x, z up, the road at z = 0. From the usual number of facets on the shell has creases of 15 degrees and more at its wheel
-arches alone; with fewer, also at bow and tail."""
+arches alone; with fewer, also at bow and tail. --trim adds so many small blocks with sharp edges just outside the shell, each a closed
+body: what handles, lamps, bolts and louvres are to a real one."""
 import argparse
 import math
 import pathlib
@@ -14,6 +15,7 @@ HALF_LENGTH, HALF_WIDTH = 2.2, 0.9
 MIDDLE, FLOOR, BONNET, BOOT, ROOF = 0.58, 0.2, 0.94, 1.0, 1.4  # heights
 AXLES, TRACK = (-1.32, 1.36), 0.7  # x of the axles, y of the middle of the wheels
 WHEEL_RADIUS, WHEEL_WIDTH = 0.31, 0.2
+TRIM, TRIM_GAP = (0.015, 0.006, 0.005), 0.06  # half the sides of a block, and how far beyond the shell its middle lies
 ROUNDNESS = 2.7  # exponent of the shell's superellipsoid
 CUTS = (40, 16, 20)  # of the shell along x, y, z at FACETS
 FACETS = 8400
@@ -49,6 +51,22 @@ def ellipsoid(middle, radii):
         length = math.hypot(*cube)
         return tuple(m + r * t / length for m, r, t in zip(middle, radii, cube))
     return at
+
+
+def block(middle, halves):
+    def at(*cube):
+        return tuple(m + h * t for m, h, t in zip(middle, halves, cube))
+    return at
+
+
+def trim_places(count):
+    """Points just outside the shell, spread evenly over the directions from its middle."""
+    for i in range(count):
+        up, turn = 1.0 - (2.0 * i + 1.0) / count, i * math.pi * (3.0 - math.sqrt(5.0))
+        across = math.sqrt(1.0 - up * up)
+        x, y, z = shell(across * math.cos(turn), across * math.sin(turn), up)
+        scale = 1.0 + TRIM_GAP / math.dist((x, y, z), (0.0, 0.0, MIDDLE))
+        yield x * scale, y * scale, MIDDLE + (z - MIDDLE) * scale
 
 
 class Mesh:
@@ -104,7 +122,7 @@ class Mesh:
             self.triangles.append((rings[-1][0], rings[-2][j], rings[-2][i]))
 
 
-def car(facets):
+def car(facets, trim=0):
     fineness = math.sqrt(facets / FACETS)
 
     def cuts(*usual):
@@ -118,6 +136,8 @@ def car(facets):
     for side in (-1, 1):
         mesh.add_cube(cuts(4, 4, 4), ellipsoid((0.55, side * 0.98, 1.02), (0.07, 0.1, 0.07)))
     mesh.add_cube(cuts(6, 4, 2), ellipsoid((-1.75, 0.3, 0.12), (0.25, 0.15, 0.06)))
+    for place in trim_places(trim):
+        mesh.add_cube((2, 2, 2), block(place, TRIM))
     return mesh
 
 
@@ -133,8 +153,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("mesh", type=pathlib.Path)
     parser.add_argument("--facets", type=int, default=FACETS, help="about how many")
+    parser.add_argument("--trim", type=int, default=0, help="blocks on the shell, of 48 facets each")
     options = parser.parse_args()
-    write(car(options.facets), options.mesh)
+    write(car(options.facets, options.trim), options.mesh)
 
 
 if __name__ == "__main__":

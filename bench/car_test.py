@@ -73,6 +73,14 @@ class Car(unittest.TestCase):
                 if min(math.hypot(x - axle, z - car.WHEEL_RADIUS) for axle in car.AXLES) > 0.65:  # recess and a facet beside it
                     self.assertGreater(dot(normals[i], normals[self.beside[b, a]]), math.cos(math.radians(15.0)))  # of a wedge
 
+    def test_trim_is_blocks_outside_the_shell(self):
+        trimmed = car.car(car.FACETS, 50)
+        added = trimmed.triangles[len(self.mesh.triangles):]
+        self.assertEqual(len(added), 50 * 48)
+        self.assertEqual(trimmed.triangles[:len(self.mesh.triangles)], self.mesh.triangles)
+        blocks = collections.Counter(tuple(round(t, 3) for t in trimmed.points[i]) for triangle in added for i in triangle)
+        self.assertEqual(len(blocks), 50 * 26)  # no two coincide
+
     def test_number_of_facets_is_about_the_one_asked_for(self):
         for facets in (5000, 10000):
             # Cuts are rounded to even numbers, 16 at the least: by 6 % at most in each of two directions.

@@ -32,7 +32,7 @@ constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 constexpr double density_for_a_decibel = 10.0;
 // Where the model uncertainty permits more than the tolerance: what vehicles are permitted is above what these leave (a tenth of
 // a decibel in the median row, told two times too large) but for a row in a hundred, which climbs.
-constexpr double density_for_models = 6.0;
+constexpr double density_for_models = 7.0;
 
 // Share of the densest grid that can be launched which the tolerance alone does not exceed.
 constexpr double finest_grid = 0.9;
