@@ -44,9 +44,9 @@ double chord_error(double dent, double wavelength) { return 4.0 * pi * std::sqrt
 
 double doubtful_crease(double min_wedge_angle) { return doubtful_turn * min_wedge_angle; }
 
-FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, const SmoothSurfaces& meant) {
-  if (!meant.any()) return;
-  for (const Patch& patch : mesh.patches) dents_.push_back({patch.normal, 0.0, 0.0});
+FacetDents::FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, const SmoothSurfaces& meant)
+    : mesh_(mesh), dents_(meant.any() ? mesh.patches.size() : 0) {
+  if (dents_.empty()) return;
   constexpr double mean_height = 1.0 / 12.0;  // of the product of two barycentric coordinates
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const double area = 0.5 * mesh.twice_area(t);
@@ -69,8 +69,9 @@ double FacetDents::relative_error(const Look& look, double frequency) const {
   if (dents_.empty() || size < 1e-6) return 0.0;
   const double per_metre = chord_error(dent_over_depth, wavelength(frequency)) * 0.5 * size;
   double sum = 0.0, weights = 0.0;
-  for (const Dent& dent : dents_) {
-    const double cosine = glm::dot(dent.normal, middle) / size;
+  for (std::size_t patch = 0; patch < dents_.size(); ++patch) {
+    const Dent& dent = dents_[patch];
+    const double cosine = glm::dot(mesh_.patches[patch].normal, middle) / size;
     if (cosine <= 0.0) continue;
     const double weight = dent.area * mirror_weight(cosine);
     sum += weight * std::min(most_facet_error, per_metre * dent.depth);

@@ -20,7 +20,7 @@ double doubtful_crease(double min_wedge_angle);
 class FacetDents {
  public:
   /// `taken`: the curved surfaces that tubes see; null: all facets are flat. `meant`: those that facets may stand for, of creases
-  /// up to doubtful_crease().
+  /// up to doubtful_crease(). Keeps a reference to the mesh.
   FacetDents(const TriangleMesh& mesh, const SmoothSurfaces* taken, const SmoothSurfaces& meant);
 
   /// The error of the physical-optics amplitude of a look over that amplitude, 0 ... 2: that of the facets which are turned so
@@ -30,14 +30,13 @@ class FacetDents {
   double relative_error(const Look& look, double frequency) const;
 
  private:
-  // Of a patch.
   struct Dent {
-    dvec3 normal;
-    double area;   // [m^2]
-    double depth;  // mean over it of its depth below the surface that it may stand for beyond that of the one taken, and of the
-                   // share of that one which is wrong [m]
+    double area = 0.0;   // [m^2]
+    double depth = 0.0;  // mean over it of its depth below the surface that it may stand for beyond that of the one taken, and of
+                         // the share of that one which is wrong [m]
   };
-  std::vector<Dent> dents_;  // none where nothing is curved
+  const TriangleMesh& mesh_;
+  std::vector<Dent> dents_;  // [patch], none where nothing is curved
 };
 
 /// Mean dent of the chords of rims: of wedges that go on in one another with less than twice `min_wedge_angle` [rad] of turning,

@@ -31,45 +31,26 @@ SurfaceFrame turn_of(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, s
           form.x * products(u, u) + form.y * (products(u, v) + products(v, u)) + form.z * products(v, v)};
 }
 
-CurvedFacet::Neighbour neighbour(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, std::uint32_t triangle, int corner) {
-  if (surfaces.on_boundary(triangle, corner)) return {no_index, 0};
-  const EdgeTable::Side& other = mesh.edges()[mesh.edges().edge_of(triangle, corner)].beside(triangle);
-  return {other.triangle, other.corner};
-}
-
-CurvedFacet facet_of(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, std::uint32_t t) {
-  const auto& [x, y, z] = mesh.corners(t);
-  const dvec3 across = area_vector(x, y, z), scaled = across / glm::dot(across, across);
-  const auto beyond = [&](int corner) { return neighbour(mesh, surfaces, t, corner); };
-  const auto corner = [&](int c) { return surfaces.normal_index(t, c); };
-  return {surfaces.facet(t),         mesh.patch_of(t).normal,           glm::cross(z - x, scaled),
-          glm::cross(scaled, y - x), {corner(0), corner(1), corner(2)}, {beyond(0), beyond(1), beyond(2)}};
-}
-
 }  // namespace
 
 CurvatureField::CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& surfaces)
-    : surfaces_(surfaces), facet_of_(mesh.triangles.size(), no_index), frames_(surfaces.normals()) {
-  facets_.reserve(surfaces.facets());
-  std::vector<double> areas(frames_.size());
+    : mesh_(mesh), surfaces_(surfaces), turns_(surfaces.normals()) {
+  std::vector<double> areas(turns_.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (surfaces.region(t) == no_index) continue;
-    facet_of_[t] = static_cast<std::uint32_t>(facets_.size());
-    facets_.push_back(facet_of(mesh, surfaces, t));
     const double area = mesh.twice_area(t);
     const SurfaceFrame turn = turn_of(mesh, surfaces, t);
     for (int c = 0; c < 3; ++c) {
       const std::uint32_t i = surfaces.normal_index(t, c);
-      frames_[i].normal = surfaces.normal(t, c);
-      frames_[i].square_turn += area * turn.square_turn;
-      frames_[i].product_turn += area * turn.product_turn;
+      turns_[i].squares += area * turn.square_turn;
+      turns_[i].products += area * turn.product_turn;
       areas[i] += area;
     }
   }
-  for (std::size_t i = 0; i < frames_.size(); ++i) {
+  for (std::size_t i = 0; i < turns_.size(); ++i) {
     if (!(areas[i] > 0.0)) continue;
-    frames_[i].square_turn /= areas[i];
-    frames_[i].product_turn /= areas[i];
+    turns_[i].squares /= areas[i];
+    turns_[i].products /= areas[i];
   }
 }
 

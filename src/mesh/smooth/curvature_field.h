@@ -31,52 +31,44 @@ struct SurfaceFrame {
   SurfaceFrame from(double side) const { return {side * normal, side * square_turn, side * product_turn}; }
 };
 
-/// A facet of a curved surface as those who walk over it need it, in one place.
-struct CurvedFacet {
-  /// The triangle beside it, and the corner at which its side begins there; no_index where the surface ends.
-  struct Neighbour {
-    std::uint32_t triangle, corner;
-  };
-
-  BentFacet shape;
-  dvec3 plane_normal;
-  dvec3 gradient_1, gradient_2;          // of barycentric coordinates l1 and l2, in its plane [1/m]
-  std::array<std::uint32_t, 3> corners;  // by SmoothSurfaces::normal_index()
-  std::array<Neighbour, 3> beyond;       // each side, from its corner to the next
-};
-
 /// Curvature of every facet from the normals at its corners, averaged at the vertices by area (Rusinkiewicz 2004, Estimating
 /// curvatures and their derivatives on triangle meshes), linear over the facets. So neither changes at once from facet to facet
 /// of one surface.
 class CurvatureField {
  public:
-  /// Keeps a reference to the second.
+  /// Keeps references to both.
   CurvatureField(const TriangleMesh& mesh, const SmoothSurfaces& surfaces);
 
   /// At barycentric coordinates of a triangle with a region: 1 - l.x - l.y, l.x, l.y.
   SurfaceFrame at(std::uint32_t triangle, const dvec2& l) const {
-    const auto& [a, b, c] = facet(triangle).corners;
+    const auto turn = [&](int corner) -> const Turn& { return turns_[surfaces_.normal_index(triangle, corner)]; };
+    const Turn &a = turn(0), &b = turn(1), &c = turn(2);
     const double l0 = 1.0 - l.x - l.y;
-    const auto mean = [&](dvec3 SurfaceFrame::*of) { return l0 * frames_[a].*of + l.x * frames_[b].*of + l.y * frames_[c].*of; };
-    return {glm::normalize(mean(&SurfaceFrame::normal)), mean(&SurfaceFrame::square_turn), mean(&SurfaceFrame::product_turn)};
+    return {glm::normalize(normal(triangle, l)), l0 * a.squares + l.x * b.squares + l.y * c.squares,
+            l0 * a.products + l.x * b.products + l.y * c.products};
   }
 
   /// The mean of a facet's normals there, not of unit length.
-  dvec3 normal(const CurvedFacet& facet, const dvec2& l) const {
-    const auto& [a, b, c] = facet.corners;
-    return (1.0 - l.x - l.y) * frames_[a].normal + l.x * frames_[b].normal + l.y * frames_[c].normal;
+  dvec3 normal(std::uint32_t triangle, const dvec2& l) const {
+    return (1.0 - l.x - l.y) * normal(triangle, 0) + l.x * normal(triangle, 1) + l.y * normal(triangle, 2);
   }
 
   const dvec3& normal(std::uint32_t triangle, int corner) const { return surfaces_.normal(triangle, corner); }
 
-  /// That of a triangle with a region.
-  const CurvedFacet& facet(std::uint32_t triangle) const { return facets_[facet_of_[triangle]]; }
+  const TriangleMesh& mesh() const { return mesh_; }            // as given
+  const SmoothSurfaces& surfaces() const { return surfaces_; }  // as given
+  /// What it holds for each normal of the surfaces.
+  static constexpr std::size_t bytes_per_normal() { return sizeof(Turn); }
 
  private:
+  // The entries of dn/dr, as those of SurfaceFrame.
+  struct Turn {
+    dvec3 squares{0.0}, products{0.0};
+  };
+
+  const TriangleMesh& mesh_;
   const SmoothSurfaces& surfaces_;
-  std::vector<std::uint32_t> facet_of_;  // [triangle]
-  std::vector<CurvedFacet> facets_;
-  std::vector<SurfaceFrame> frames_;  // by SmoothSurfaces::normal_index()
+  std::vector<Turn> turns_;  // by SmoothSurfaces::normal_index()
 };
 
 }  // namespace raytube

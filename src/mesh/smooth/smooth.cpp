@@ -23,17 +23,17 @@ struct SideEnd {
   bool one_sided;
 };
 
-// The parabola over a side between these ends, along the mean of their normals: r = a + x (b - a) - x (1 - x) bend. How far the
+// The parabola over a side between these ends, r = a + x (b - a) - x (1 - x) bend (a.normal + b.normal). How far the
 // normals lean along the side tells the curvature at its ends; one of which says nothing has the other's. Nothing where one
 // leans by more than a share of the side that no chord does, or where they are a right angle apart and more.
-dvec3 bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double steepest) {
-  if (glm::dot(a.normal, b.normal) <= 0.0) return dvec3(0.0);
+double bend_of(const dvec3& side, const SideEnd& a, const SideEnd& b, double steepest) {
+  if (glm::dot(a.normal, b.normal) <= 0.0) return 0.0;
   const dvec3 sum = a.normal + b.normal;
   double lean_a = glm::dot(a.normal, side), lean_b = -glm::dot(b.normal, side);
   if (a.one_sided && !b.one_sided) lean_a = lean_b;
   if (b.one_sided && !a.one_sided) lean_b = lean_a;
-  if (std::max(std::abs(lean_a), std::abs(lean_b)) > steepest * glm::length(side)) return dvec3(0.0);
-  return sum * (twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum));
+  if (std::max(std::abs(lean_a), std::abs(lean_b)) > steepest * glm::length(side)) return 0.0;
+  return twice_harmonic_mean(lean_a, lean_b) / glm::dot(sum, sum);
 }
 
 double steepest_lean(double crease) { return std::sin(std::min(most_creases * crease, widest_lean)); }
@@ -96,7 +96,7 @@ std::shared_ptr<const SmoothSurfaces::Sides> SmoothSurfaces::find_sides(const Tr
 void SmoothSurfaces::find_bends(const TriangleMesh& mesh, const Chords& chords, Sides& sides) {
   const auto is_curved = [](std::uint32_t region) { return region != no_index; };
   if (std::ranges::none_of(chords.region, is_curved)) return;
-  sides.bends.resize(mesh.triangles.size());
+  sides.bends.resize(3 * mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!is_curved(chords.region[t])) continue;
     const Triangle& corners = mesh.triangles[t];
@@ -106,8 +106,8 @@ void SmoothSurfaces::find_bends(const TriangleMesh& mesh, const Chords& chords, 
     };
     for (int c = 0; c < 3; ++c) {
       const int next = (c + 1) % 3;
-      sides.bends[t][c] = bend_of(mesh.vertices[corners[next]] - mesh.vertices[corners[c]], end(c), end(next),
-                                  std::max(sides.steepest[corners[c]], sides.steepest[corners[next]]));
+      sides.bends[3 * std::size_t{t} + c] = bend_of(mesh.vertices[corners[next]] - mesh.vertices[corners[c]], end(c), end(next),
+                                                    std::max(sides.steepest[corners[c]], sides.steepest[corners[next]]));
     }
   }
 }

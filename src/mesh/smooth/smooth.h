@@ -41,10 +41,6 @@ class BentFacet {
     const double l0 = 1.0 - l.x - l.y;
     return l0 * x_[0] + l.x * x_[1] + l.y * x_[2] - l0 * l.x * b_[0] - l.x * l.y * b_[1] - l.y * l0 * b_[2];
   }
-  /// r on the side from a corner to the next one, at this share of it.
-  dvec3 on_side(int corner, double share) const {
-    return (1.0 - share) * x_[corner] + share * (x_[(corner + 1) % 3] - (1.0 - share) * b_[corner]);
-  }
   /// dr/dl1.
   dvec3 along_1(const dvec2& l) const { return x_[1] - x_[0] - (1.0 - 2.0 * l.x - l.y) * b_[0] - l.y * (b_[1] - b_[2]); }
   /// dr/dl2.
@@ -106,8 +102,14 @@ class SmoothSurfaces {
 
   /// How far the surface bends off that side of a triangle with a region: the point at fraction x of the side lies at its chord
   /// minus x (1 - x) times this.
-  const dvec3& bend(std::uint32_t triangle, int corner) const {
-    return sides_->bends[triangle][static_cast<std::size_t>(corner)];
+  dvec3 bend(std::uint32_t triangle, int corner) const {
+    return (normal(triangle, corner) + normal(triangle, (corner + 1) % 3)) * sides_->bends[3 * std::size_t{triangle} + corner];
+  }
+  /// The point of the surface over that side, at this share of it.
+  dvec3 on_side(std::uint32_t triangle, int corner, double share) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    return (1.0 - share) * mesh_.vertices[t[corner]] +
+           share * (mesh_.vertices[t[(corner + 1) % 3]] - (1.0 - share) * bend(triangle, corner));
   }
 
   /// The normal at a corner of a triangle, and its number among so many: corners of one surface share theirs at a vertex.
@@ -120,7 +122,9 @@ class SmoothSurfaces {
   std::size_t normals() const { return chords_->normals.size(); }
 
   /// The surface over a triangle with a region.
-  BentFacet facet(std::uint32_t triangle) const { return {mesh_.corners(triangle), sides_->bends[triangle]}; }
+  BentFacet facet(std::uint32_t triangle) const {
+    return {mesh_.corners(triangle), {bend(triangle, 0), bend(triangle, 1), bend(triangle, 2)}};
+  }
 
   /// The surface where the line of a ray (unit direction) meets it, over a triangle with a region. Flat with the facet's plane
   /// where the surface turns away from the ray although the facet does not.
@@ -141,10 +145,10 @@ class SmoothSurfaces {
   static void find_regions(const TriangleMesh& mesh, const Creases& creases, const std::vector<bool>& is_plane, Chords& chords);
   /// What follows from how steep a crease of tessellation may be, too.
   struct Sides {
-    double max_crease;                        // [rad]
-    std::vector<double> steepest;             // [vertex] of the leans of sides that are chords, a sine
-    std::vector<bool> one_sided;              // [normal]
-    std::vector<std::array<dvec3, 3>> bends;  // [triangle], empty if none has a region
+    double max_crease;             // [rad]
+    std::vector<double> steepest;  // [vertex] of the leans of sides that are chords, a sine
+    std::vector<bool> one_sided;   // [normal]
+    std::vector<double> bends;     // [side] of three a triangle, over the sum of the normals at its ends [m]; empty if none bends
   };
 
   static std::shared_ptr<const Sides> find_sides(const TriangleMesh& mesh, const Chords& chords, double max_crease);

@@ -201,13 +201,12 @@ void tell_waves(const SolvePlan& plan, const Contribution& waves, std::size_t fr
   row.has_surface_waves = waves.ran_at(frequency) && waves_run_over_all_materials(plan);
 }
 
-// The curvatures at corners, and what is known of every facet.
+// The curvatures at corners, and the area that each is a mean over.
 double bytes_of_waves(const SolvePlan& plan) {
   double bytes = 0.0;
   for (const BandPlan& band : plan.bands)
     if (has_surface_waves(plan, band))
-      bytes += static_cast<double>(band.wave_surfaces->normals()) * (6 + 1) * sizeof(double) +
-               static_cast<double>(band.wave_surfaces->facets()) * sizeof(CurvedFacet);
+      bytes += static_cast<double>(band.wave_surfaces->normals() * (CurvatureField::bytes_per_normal() + sizeof(double)));
   return bytes;
 }
 

@@ -58,10 +58,10 @@ struct CurvedTarget {
 
   /// What a facet keeps of waves over it: less than 1 where they cross a rounded edge, which has the rest.
   double wave_share(std::uint32_t triangle, const dvec3& incident, const dvec3& scattered, double wavenumber) const {
-    if (noses.empty() || noses[triangle].radius <= 0.0) return 1.0;
-    const Nose& nose = noses[triangle];
-    const double sine = std::sqrt(nose.sine_to(incident) * nose.sine_to(scattered));
-    return 1.0 - nose.edge_share(incident, scattered, wavenumber) * nose.facet_share(wavenumber, sine);
+    const auto nose = std::ranges::lower_bound(noses, triangle, {}, &Nose::triangle);
+    if (nose == noses.end() || nose->triangle != triangle) return 1.0;
+    const double sine = std::sqrt(nose->sine_to(incident) * nose->sine_to(scattered));
+    return 1.0 - nose->edge_share(incident, scattered, wavenumber) * nose->facet_share(wavenumber, sine);
   }
 
   /// Whether currents are analytic in the wavenumber, so that few frequencies stand for many: shares of rounded edges have kinks,
@@ -100,7 +100,7 @@ struct CurvedTarget {
   const std::span<const Material> materials;
   const FaceImpedances impedances;
   const double lowest;            // wavenumber
-  const std::vector<Nose> noses;  // [triangle]; empty if no surface has rounded edges
+  const std::vector<Nose> noses;  // in order of triangles
   const bool convex;
 };
 

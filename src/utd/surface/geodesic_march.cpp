@@ -14,7 +14,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
       side_(side),
       sampling_(sampling),
       geodesic_(target.curvatures, start, direction),
-      piece_{start, start.l, target.curvatures.facet(start.triangle).shape.point(start.l), direction},
+      piece_{start, start.l, target.surfaces.facet(start.triangle).point(start.l), direction},
       at_(start.l),
       widest_(widest_march * begin.width),
       at_tip_(at_tip),
@@ -22,7 +22,7 @@ GeodesicMarch::GeodesicMarch(const CurvedTarget& target, const FacetPoint& start
   stand_at(start.l, 0.0);
 }
 
-dvec3 GeodesicMarch::position() const { return target_.curvatures.facet(piece_.from.triangle).shape.point(at_); }
+dvec3 GeodesicMarch::position() const { return target_.surfaces.facet(piece_.from.triangle).point(at_); }
 
 // No number is lost, too: widths at a sliver may overflow.
 bool GeodesicMarch::lost() const { return !(std::abs(width_.width) < widest_); }

@@ -69,6 +69,7 @@ class NoseFinder {
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
     nose.evenness = evenness(start.triangle, nose, plane);
     if (!(nose.evenness > 0.0)) return {};  // nor of a facet too thin to have a gradient
+    nose.triangle = start.triangle;
     nose.turn = turn_of(start.triangle, plane.across);
     nose.facet_radius = 1.0 / principal.larger;
     return nose;
@@ -273,14 +274,12 @@ std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& sur
                              double wavenumber) {
   if (!std::isfinite(wavenumber)) return {};
   const NoseFinder finder(mesh, surfaces, curvatures, wavenumber);
-  std::vector<Nose> noses(mesh.triangles.size());
-  bool any = false;
-  for (std::uint32_t t = 0; t < noses.size(); ++t) {
+  std::vector<Nose> noses;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!surfaces.conducts(t) || !mesh.closed(t)) continue;
-    noses[t] = finder.at({t, facet_middle()});
-    any = any || noses[t].radius > 0.0;
+    const Nose nose = finder.at({t, facet_middle()});
+    if (nose.radius > 0.0) noses.push_back(nose);
   }
-  if (!any) noses.clear();
   return noses;
 }
 
@@ -288,9 +287,8 @@ std::vector<Nose> noses_in_parts(const TriangleMesh& mesh, const SmoothSurfaces&
                                  double wavenumber, std::span<const Nose> noses, double longest) {
   const NoseFinder finder(mesh, surfaces, curvatures, wavenumber);
   std::vector<Nose> parts;
-  for (std::uint32_t t = 0; t < noses.size(); ++t) {
-    const Nose& whole = noses[t];
-    if (whole.radius <= 0.0) continue;
+  for (const Nose& whole : noses) {
+    const std::uint32_t t = whole.triangle;
     dvec3 along;
     for (int c = 0; c < 3; ++c) along[c] = glm::dot(whole.along, mesh.vertices[mesh.triangles[t][c]]);
     const std::vector<Slice> cut = slices(along, longest);

@@ -20,14 +20,15 @@ inline constexpr double steepest_flank = 84 * degree;
 
 /// The section across a bend as a conic (utd/rounded/conic_section), found from one facet of it.
 struct Nose {
-  dvec3 position, outwards, along;  // of its nose: place [m], normal, and direction of the edge
-  double radius = 0.0;              // radius of curvature there [m]; 0: there is no nose
-  double flattening = 0.0;          // e
-  double bend = 0.0;                // curvature of the edge times `radius`
-  double angle = 0.0;               // theta of the facet
-  double turn = 0.0;                // by which the facet turns, times its length along the edge [rad m]
-  double facet_radius = 0.0;        // one over the facet's larger curvature [m]
-  double evenness = 1.0;            // 0 where the radius changes along the edge as a cone's does
+  dvec3 position, outwards, along;    // of its nose: place [m], normal, and direction of the edge
+  double radius = 0.0;                // radius of curvature there [m]; 0: there is no nose
+  double flattening = 0.0;            // e
+  double bend = 0.0;                  // curvature of the edge times `radius`
+  double angle = 0.0;                 // theta of the facet
+  double turn = 0.0;                  // by which the facet turns, times its length along the edge [rad m]
+  double facet_radius = 0.0;          // one over the facet's larger curvature [m]
+  double evenness = 1.0;              // 0 where the radius changes along the edge as a cone's does
+  std::uint32_t triangle = no_index;  // the facet
 
   double radius_at(double theta) const;  // [m], endless on the flanks
   double sine_to(const dvec3& ray) const { return glm::length(glm::cross(ray, along)); }
@@ -45,7 +46,7 @@ struct Nose {
   double shared_turn(double wavenumber) const;
 };
 
-/// The noses of all facets, [triangle], that matter at `wavenumber` and above.
+/// The noses of facets, in order of triangles, that matter at `wavenumber` and above.
 std::vector<Nose> find_noses(const TriangleMesh& mesh, const SmoothSurfaces& surfaces, const CurvatureField& curvatures,
                              double wavenumber);
 
