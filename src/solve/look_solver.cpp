@@ -5,13 +5,13 @@
 #include <iterator>
 #include <numeric>
 
+#include "gtd/ray_fields.h"
 #include "plan/phase_reference.h"
 #include "sbr/beams/current_map.h"
 #include "sbr/sbr.h"
 #include "solve/mechanisms/band_scene.h"
 #include "solve/mechanisms/mechanism.h"
 #include "solve/scheduler.h"
-#include "gtd/ray_fields.h"
 
 namespace raytube {
 
@@ -32,7 +32,7 @@ void make_look_reciprocal(LookResult& look) {
 class BandSolver {
  public:
   BandSolver(const SolvePlan& plan, std::size_t band, const ModelUncertainty& model)
-      : scene_(plan, plan.bands[band]), band_(band), model_(model) {
+      : scene_(plan, plan.bands[band], model.curved_parts()), band_(band), model_(model) {
     for (const MechanismEntry& entry : plan.mechanisms) mechanisms_.push_back(entry.make(scene_));
     if (plan.rays())
       ray_fields_.emplace(plan.target.tracer, scene_.materials, plan.target.wedges, plan.ray_range, plan.sweep.radar,

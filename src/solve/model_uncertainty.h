@@ -23,6 +23,8 @@ class ModelUncertainty {
   /// part ran and added nothing, so no more than it will be.
   std::vector<ChannelErrors> at_least(const Look& look, std::size_t band, const TubeSums& tubes) const;
 
+  const CurvedParts& curved_parts() const { return curved_; }  // what of the target is curved
+
   /// Of the weak edges at the first frequency, by length: the share beside curved faces.
   double curved_edges() const { return edges_.empty() ? 0.0 : curved_share(edges_[bands_.front().edges].edges); }
 

@@ -45,7 +45,7 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertex_cou
       if (slot == begin || slot->high != (slot - 1)->high)
         ends_.push_back({low, slot->high, static_cast<std::uint32_t>(sides_.size())});
       edge_of_side_[slot->side] = static_cast<std::uint32_t>(ends_.size() - 1);
-      sides_.push_back({slot->side / 3, slot->side % 3});
+      sides_.emplace_back(slot->side / 3, slot->side % 3);
     }
   }
 }

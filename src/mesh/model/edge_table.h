@@ -14,8 +14,10 @@ class EdgeTable {
  public:
   /// An edge as one triangle's side: from corner `corner` to the next one.
   struct Side {
-    std::uint32_t triangle;  // whose side it is
-    std::uint32_t corner;    // where the side begins, 0 to 2
+    /// Sides are numbered in 32 bits, three a triangle: no bit is lost.
+    Side(std::uint32_t of, std::uint32_t at) : triangle(of & 0x3fffffffu), corner(at & 3u) {}
+    std::uint32_t triangle : 30;  // whose side it is
+    std::uint32_t corner : 2;     // where the side begins, 0 to 2
   };
   /// Two vertices and the triangles that meet between them.
   struct Edge {

@@ -68,8 +68,7 @@ FaceTree::FaceTree(const TriangleMesh& mesh)
   std::vector<BoxedFace> order = boxed_faces(mesh, faces_);
   if (!order.empty()) build(order, 0);
   faces_ = in_order(faces_, order);
-  points_.reserve(faces_.corners.size());
-  for (const std::uint32_t corner : faces_.corners) points_.push_back(mesh.vertices[corner]);
+  nodes_.shrink_to_fit();
   triangles_ = triangle_rows(faces_.faces.size(), faces_.face_of_triangle);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -50,8 +51,8 @@ class FaceTree {
   /// The corners of a face, as vertices of the mesh.
   std::span<const std::uint32_t> corners(std::uint32_t face) const { return faces_.corners_of(faces_.faces[face]); }
   /// The corners of a face as points, in recentred coordinates [m].
-  std::span<const dvec3> points(std::uint32_t face) const {
-    return std::span(points_).subspan(faces_.faces[face].first_corner, corners(face).size());
+  auto points(std::uint32_t face) const {
+    return corners(face) | std::views::transform([this](std::uint32_t v) -> const dvec3& { return mesh_.vertices[v]; });
   }
   /// The triangles of a face.
   std::span<const std::uint32_t> triangles(std::uint32_t face) const { return triangles_[face]; }
@@ -81,9 +82,8 @@ class FaceTree {
 
   const TriangleMesh& mesh_;
   Faces faces_;
-  std::vector<dvec3> points_;  // of all corners: side by side for neighbours
-  TriangleRows triangles_;     // of each face
-  double box_rounding_;        // [m] what single precision may move the side of a box by
+  TriangleRows triangles_;  // of each face
+  double box_rounding_;     // [m] what single precision may move the side of a box by
   std::vector<Node> nodes_;
 };
 

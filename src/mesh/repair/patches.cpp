@@ -311,6 +311,7 @@ void find_patches(TriangleMesh& mesh, double distance, std::span<const std::uint
   finder.run();
   finder.flatten();
   if (!materials.empty()) finder.cut(materials);
+  mesh.patches.shrink_to_fit();
 }
 
 }  // namespace raytube

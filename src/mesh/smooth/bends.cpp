@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/angle.h"
 
@@ -109,14 +110,14 @@ class BendFinder {
     return std::min(before, after) >= least_side * all && before + after >= all;
   }
 
-  // The side over which a section that came over edge `entry` leaves. A corner in the plane counts as beyond it: there is one.
-  EdgeTable::Side exit_of(const Section& section, std::uint32_t triangle, std::uint32_t entry) const {
+  // The side over which a section that came over edge `entry` leaves, if it does. A corner in the plane counts as beyond it: there is one.
+  std::optional<EdgeTable::Side> exit_of(const Section& section, std::uint32_t triangle, std::uint32_t entry) const {
     const Triangle& t = mesh_.triangles[triangle];
     const auto is_beyond = [&](std::uint32_t corner) { return section.beyond(mesh_.vertices[t[corner % 3]]) >= 0.0; };
     for (std::uint32_t corner = 0; corner < 3; ++corner)
       if (edges_.edge_of(triangle, static_cast<int>(corner)) != entry && is_beyond(corner) != is_beyond(corner + 1))
-        return {triangle, corner};
-    return {no_index, 0};
+        return EdgeTable::Side(triangle, corner);
+    return {};
   }
 
   dvec3 crossing(const Section& section, const EdgeTable::Edge& edge) const {
@@ -138,17 +139,17 @@ class BendFinder {
     dvec3 at = section.middle;
     double distance = 0.0;
     for (int i = 0; i < most_steps; ++i) {
-      const EdgeTable::Side exit = exit_of(section, side.triangle, edges_.edge_of(side.triangle, static_cast<int>(side.corner)));
-      if (exit.triangle == no_index) break;
-      const EdgeTable::Edge edge = edges_[edges_.edge_of(exit.triangle, static_cast<int>(exit.corner))];
+      const auto exit = exit_of(section, side.triangle, edges_.edge_of(side.triangle, static_cast<int>(side.corner)));
+      if (!exit) break;
+      const EdgeTable::Edge edge = edges_[edges_.edge_of(exit->triangle, static_cast<int>(exit->corner))];
       const dvec3 next = crossing(section, edge);
       distance += glm::distance(at, next) / unit;
       if (distance > longest || !mesh_.is_surface(edge)) break;
-      side = edge.beside(exit.triangle);
+      side = edge.beside(exit->triangle);
       at = next;
-      if (mesh_.triangle_patch[exit.triangle] == mesh_.triangle_patch[side.triangle]) continue;
+      if (mesh_.triangle_patch[exit->triangle] == mesh_.triangle_patch[side.triangle]) continue;
       if (steps.empty() && distance > furthest) break;
-      steps.push_back(step_over(section, edge, exit, distance));
+      steps.push_back(step_over(section, edge, *exit, distance));
       steps.back().turn *= sign;
     }
     return steps;

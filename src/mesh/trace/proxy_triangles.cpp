@@ -58,7 +58,7 @@ class Proxy {
  private:
   void add_border(const EdgeTable::Side& side) {
     const dvec3 outwards = away_from(side);
-    for (const std::uint32_t corner : {side.corner, (side.corner + 1) % 3})
+    for (const std::uint32_t corner : {side.corner + 0u, (side.corner + 1u) % 3})
       border_corners_[place_[3 * std::size_t{side.triangle} + corner]].add(outwards);
   }
 

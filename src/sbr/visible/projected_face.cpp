@@ -40,7 +40,7 @@ bool FaceProjector::project(const BeamView& view, std::uint32_t face, ProjectedF
 // target lies before the receiver in which lines of sight meet.
 void FaceProjector::project_corners(const BeamView& view, std::uint32_t face) {
   const Beam& beam = view.beam;
-  const std::span<const dvec3> corners = tree_.points(face);
+  const auto corners = tree_.points(face);
   corners_.clear();
   if (!beam.spherical()) {
     for (const dvec3& corner : corners) corners_.push_back(launch_coordinates(beam, corner));

@@ -44,9 +44,10 @@ std::optional<CurvedTarget> curved_target(const SolvePlan& plan, const BandPlan&
 
 }  // namespace
 
-BandScene::BandScene(const SolvePlan& a_plan, const BandPlan& a_band)
+BandScene::BandScene(const SolvePlan& a_plan, const BandPlan& a_band, const CurvedParts& parts)
     : plan(a_plan),
       band(a_band),
+      curved_parts(parts),
       materials(at_frequencies(plan.sweep.materials, band.indices)),
       tubes{plan.target.tracer, plan.target.faces, band.smooth.get(), band.convexity, materials, plan.sweep.radar},
       curved(curved_target(plan, band, materials)),

@@ -43,7 +43,7 @@ class SurfaceWaveProspect {
   // longest wavelength of the band tells which of their faces are narrow.
   explicit SurfaceWaveProspect(const BandScene& scene)
       : mesh_(scene.plan.target.mesh),
-        curved_(find_curved_parts(mesh_, scene.plan.target.options.min_wedge_angle)),
+        curved_(scene.curved_parts),
         edges_(find_edge_features(scene.plan.target.wedges, curved_, {.over_curved = !scene.band.convexity.no_reflection},
                                   wavelength(least_frequency(scene.band.frequencies)))) {}
 
@@ -65,7 +65,7 @@ class SurfaceWaveProspect {
   }
 
   const TriangleMesh& mesh_;
-  CurvedParts curved_;
+  const CurvedParts& curved_;
   EdgeFeatures edges_;
 };
 

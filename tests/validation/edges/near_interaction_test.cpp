@@ -20,7 +20,8 @@ struct Body {
         target(mesh),
         sweep{std::move(frequencies), {{{1.0, 0.5}, {1.0, 0.5}}}, true},
         plan(target, sweep, adaptive(true)),
-        band(plan, plan.bands.front()) {}
+        curved_parts(find_curved_parts(target.mesh, target.options.min_wedge_angle)),
+        band(plan, plan.bands.front(), curved_parts) {}
 
   double unit() const { return 4 * mesh.radius * mesh.radius / lambda; }  // D^2/lambda
 
@@ -36,6 +37,7 @@ struct Body {
   Target target;
   Sweep sweep;
   SolvePlan plan;
+  CurvedParts curved_parts;
   BandScene band;
 };
 
