@@ -47,7 +47,12 @@ class Proxy {
     for (std::size_t e = 0; e < edges_.size(); ++e)
       for (const EdgeTable::Side& side : edges_[e].sides)
         if (!mesh.is_inside_patch(edges_[e])) add_border(side);
+    // Few edges have more than one strip, and pages that nothing is written to take no memory.
+    all_.vertices.reserve(places_ + 4 * edges_.size());
+    all_.triangles.reserve(mesh.triangles.size() + 2 * edges_.size());
+    all_.source.reserve(all_.triangles.capacity());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
+    border_corners_ = {};  // twice as large as the mesh
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       if (is_flat(all_.triangles[t])) make_rectangle(t);
     for (std::size_t e = 0; e < edges_.size(); ++e) add_strips(edges_[e]);
