@@ -8,26 +8,30 @@ namespace raytube {
 
 namespace {
 
-double width_of(const std::vector<dvec3>& points) {
-  dvec3 middle(0.0), farthest(0.0);
-  for (const dvec3& p : points) middle += p / static_cast<double>(points.size());
-  for (const dvec3& p : points)
-    if (glm::distance(p, middle) > glm::length(farthest)) farthest = p - middle;
-  if (glm::length(farthest) <= 0.0) return 0.0;
-  const dvec3 along = glm::normalize(farthest);
-  double widest = 0.0;
-  for (const dvec3& p : points) widest = std::max(widest, glm::length(glm::cross(along, p - middle)));
-  return 2.0 * widest;
-}
+struct Body {
+  dvec3 middle{0.0}, farthest{0.0};  // of its corners the mean, and the farthest of them from there [m]
+  double widest = 0.0;               // their largest distance from the line through both [m]
+};
 
 }  // namespace
 
 std::vector<double> body_widths(const TriangleMesh& mesh) {
-  std::vector<std::vector<dvec3>> points(mesh.components.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::uint32_t v : mesh.triangles[t]) points[mesh.triangle_component[t]].push_back(mesh.vertices[v]);
+  std::vector<Body> bodies(mesh.components.size());
+  const auto for_each_corner = [&](auto look_at) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh.triangles[t]) look_at(bodies[mesh.triangle_component[t]], mesh.vertices[v]);
+  };
+  const auto corners = [&](const Body& body) { return 3.0 * mesh.components[&body - bodies.data()].triangles; };
+  for_each_corner([&](Body& body, const dvec3& p) { body.middle += p / corners(body); });
+  for_each_corner([](Body& body, const dvec3& p) {
+    if (glm::distance(p, body.middle) > glm::length(body.farthest)) body.farthest = p - body.middle;
+  });
+  for_each_corner([](Body& body, const dvec3& p) {
+    if (body.farthest == dvec3(0.0)) return;
+    body.widest = std::max(body.widest, glm::length(glm::cross(glm::normalize(body.farthest), p - body.middle)));
+  });
   std::vector<double> widths;
-  for (const std::vector<dvec3>& each : points) widths.push_back(width_of(each));
+  for (const Body& body : bodies) widths.push_back(2.0 * body.widest);
   return widths;
 }
 
