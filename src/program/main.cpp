@@ -76,11 +76,13 @@ void require_printed() {
   throw std::runtime_error(not_printed);
 }
 
-// The GNU allocator keeps arrays that were freed as holes between others, of up to 32 MB once there was a larger one: a tenth of
-// what a large mesh takes. Pages of its arrays of a megabyte and more go back to the system; of one, half a page is lost.
+// The GNU allocator keeps what was freed between other arrays for later: of arrays of up to 32 MB, once there was one, a tenth of
+// what a large mesh takes. With these it is no more than at the start of any program: pages of large arrays go back to the
+// system.
 void return_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 8 << 20);
 #endif
 }
 

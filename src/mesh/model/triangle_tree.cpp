@@ -11,7 +11,7 @@ namespace raytube {
 
 namespace {
 
-constexpr std::uint32_t triangles_per_leaf = 8;
+constexpr std::uint32_t triangles_per_leaf = 4;
 constexpr double slender_ratio = 16.0;  // of the square of the longest side to twice the area; 1.2 of an equilateral triangle
 
 // Along a direction that is far from the given one.
