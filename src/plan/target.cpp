@@ -1,5 +1,8 @@
 #include "plan/target.h"
 
+#include <tbb/parallel_invoke.h>
+
+#include <optional>
 #include <utility>
 
 #include "mesh/features/enclosed.h"
@@ -25,17 +28,34 @@ std::unique_ptr<const TriangleMesh> with_bends(TriangleMesh&& mesh, const WedgeO
 
 }  // namespace
 
-Target::Target(TriangleMesh triangles, const WedgeOptions& how)
-    : owned_(with_bends(std::move(triangles), beyond_rounding(how))),
-      mesh(*owned_),
-      options(beyond_rounding(how)),
-      tracer(mesh),
-      faces(mesh),
+SurfaceFeatures::SurfaceFeatures(const TriangleMesh& mesh, const WedgeOptions& options)
+    : faces(mesh),
       convexity(find_convexity(mesh)),
       wedges(find_wedges(mesh, options.min_wedge_angle)),
       components_enclosed(find_enclosed_components(faces)),
       wedges_enclosed(mark_enclosed(mesh, components_enclosed, wedges)),
       outlines(mesh, wedges, options.min_wedge_angle),
-      thin_plate_edges(how.thin_plates ? find_thin_plate_edges(mesh, wedges) : std::vector<ThinPlateEdge>()) {}
+      thin_plate_edges(options.thin_plates ? find_thin_plate_edges(mesh, wedges) : std::vector<ThinPlateEdge>()) {}
+
+// Rays and features are made beside one another.
+struct Target::Made {
+  Made(TriangleMesh&& triangles, const WedgeOptions& how) : options(how), mesh(with_bends(std::move(triangles), options)) {
+    tbb::parallel_invoke([&] { tracer.emplace(*mesh); }, [&] { features.emplace(*mesh, options); });
+  }
+
+  WedgeOptions options;
+  std::unique_ptr<const TriangleMesh> mesh;
+  std::optional<Tracer> tracer;
+  std::optional<SurfaceFeatures> features;
+};
+
+Target::Target(TriangleMesh triangles, const WedgeOptions& how) : Target(Made(std::move(triangles), beyond_rounding(how))) {}
+
+Target::Target(Made&& made)
+    : SurfaceFeatures(std::move(*made.features)),
+      owned_(std::move(made.mesh)),
+      mesh(*owned_),
+      options(made.options),
+      tracer(std::move(*made.tracer)) {}
 
 }  // namespace raytube

@@ -21,12 +21,14 @@ constexpr double grazing = 1e-3;
 
 }  // namespace
 
+double ExactHit::edge_uncertainty(const TriangleMesh& mesh) { return line_uncertainty * mesh.radius; }
+
 ExactHit::ExactHit(const TriangleMesh& mesh, std::size_t longest_list)
     : mesh_(mesh),
       longest_list_(longest_list),
       // A point on the ray and a plane offset each carry a few roundings of numbers up to the radius.
       rounding_(8.0 * std::numeric_limits<double>::epsilon() * mesh.radius),
-      edge_uncertainty_(line_uncertainty * mesh.radius),
+      edge_uncertainty_(edge_uncertainty(mesh)),
       // Facets of either patch are off its plane by a fraction of the diagonal, which is at most 2 sqrt(3) times the radius.
       plane_uncertainty_(2.0 * flat_fraction * 2.0 * std::numbers::sqrt3 * mesh.radius),
       tree_(mesh),

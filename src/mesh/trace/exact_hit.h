@@ -70,8 +70,9 @@ class ExactHit {
   /// the ray runs along, but not on the patch the ray leaves or an ignored one; ties to the lower index.
   Hit nearest_near_coincident(const Ray& ray, std::uint32_t triangle, const IgnoredPatches& ignored_patches) const;
 
-  /// A ray this far inside all three edges meets the triangle in single precision too [m].
-  double edge_uncertainty() const { return edge_uncertainty_; }
+  /// A ray this far inside all three edges of a triangle of the mesh meets it in single precision too [m].
+  static double edge_uncertainty(const TriangleMesh& mesh);
+  double edge_uncertainty() const { return edge_uncertainty_; }  // of its mesh
 
   /// The nearest triangle that contains the ray, among `triangle`, those sharing a corner with it, its near-coincident ones,
   /// and all of a patch there which the ray grazes, but not on the patch the ray leaves or an ignored one; ties to the lower

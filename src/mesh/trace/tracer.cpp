@@ -75,6 +75,7 @@ struct Tracer::Scene {
   std::vector<float> safe_sides;  // of each triangle of the mesh: smallest_side() of hits that single precision cannot mistake
 
  private:
+  void build();
   void add_geometry(const ProxyTriangles& proxies);
   float safe_side(const ProxyTriangles& proxies, std::uint32_t triangle) const;
 };
@@ -156,8 +157,12 @@ Context make_context(const Tracer::Scene& scene, const Ray* rays, const IgnoredP
 // The two halves of what a mesh needs are built side by side.
 Tracer::Scene::Scene(const TriangleMesh& triangles, int rays_at_a_time)
     : mesh(triangles), scale(scale_of(triangles)), width(rays_at_a_time) {
-  ProxyTriangles proxies;
-  tbb::parallel_invoke([&] { exact.emplace(mesh); }, [&] { proxies = proxy_triangles(mesh, proxy_margin / scale); });
+  tbb::parallel_invoke([&] { exact.emplace(mesh); }, [&] { build(); });
+}
+
+// Embree's half.
+void Tracer::Scene::build() {
+  ProxyTriangles proxies = proxy_triangles(mesh, proxy_margin / scale);
   // As many user threads as there are threads leave none to Embree, and one builds: the order of equal leaves then never depends
   // on the machine's load.
   device = rtcNewDevice(fmt::format("isa={},user_threads=1000000", name_of(allowed_instruction_set())).c_str());
@@ -193,7 +198,7 @@ float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t tria
   const Triangle& corners = proxies.triangles[triangle];
   const int k = longest_edge(proxies.vertices, corners);
   const double edge = glm::distance(proxies.vertices[corners[k]], proxies.vertices[corners[(k + 1) % 3]]);
-  return static_cast<float>(scale * scale * edge * (2.0 * exact->edge_uncertainty() + proxies.moved[triangle]));
+  return static_cast<float>(scale * scale * edge * (2.0 * ExactHit::edge_uncertainty(mesh) + proxies.moved[triangle]));
 }
 
 // What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
