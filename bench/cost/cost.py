@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts the processor's instructions of eleven small jobs that stand for all paths, against table.csv (standard library only).
+"""Counts the processor's instructions of twelve small jobs that stand for all paths, against table.csv (standard library only).
 
     bench/cost/cost.py check [--program build/raytube]     exit 1 if a job costs over 1 % more than the table says
     bench/cost/cost.py renew [--program build/raytube]     writes the table and shows what changed
@@ -23,7 +23,8 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 TABLE = HERE / "table.csv"
-JOBS = ["read", "flat", "curved", "vehicle", "edges", "between", "materials", "near_field", "sphere", "cube_band", "small_vehicle"]
+JOBS = ["read", "flat", "curved", "vehicle", "edges", "between", "penumbra", "materials", "near_field", "sphere", "cube_band",
+        "small_vehicle"]
 MOST_PERCENT = 1.0
 FELL_SHORT, BAD_INPUT, SKIPPED = 1, 2, 77
 

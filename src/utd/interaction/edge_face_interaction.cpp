@@ -109,7 +109,8 @@ double beyond_smooth_light(const EdgeLight& light, const LitEdgePiece& piece, co
 // The fringe currents on the rims of other faces, by waves of edges that light reaches after one reflection at most.
 void add_penumbra(const EdgeLight& light, Found& found) {
   const InteractionScene& scene = light.scene;
-  PenumbraFringe penumbra(scene.edges.tracer, scene.axes, scene.shortest_axis, light.look, light.wavenumbers, scene.plan);
+  PenumbraFringe penumbra(scene.edges.tracer, scene.faces.tree, scene.axes, scene.shortest_axis, light.look, light.wavenumbers,
+                          scene.plan);
   for (const LitJob& job : light.jobs) {
     if (!job.has_penumbra()) continue;
     const LitEdgePiece& piece = *job.piece;

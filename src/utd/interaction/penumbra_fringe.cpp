@@ -8,6 +8,7 @@
 #include "scene/frequency_bands.h"
 #include "utd/interaction/edge_axes.h"
 #include "utd/interaction/rim_panels.h"
+#include "utd/shadow/clear_between.h"
 #include "utd/wedge/diffracted_field.h"
 #include "utd/wedge/work.h"
 
@@ -111,9 +112,16 @@ struct PenumbraFringe::Source {
   explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(source_of(*lit.wave)) {}
 };
 
-PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis,
+/// An edge that the source may light.
+struct PenumbraFringe::Rim {
+  const EdgeAxis& axis;
+  bool in_the_clear;  // nothing can stand between the two
+};
+
+PenumbraFringe::PenumbraFringe(const Tracer& tracer, const FaceTree& faces, std::span<const EdgeAxis> axes, double shortest_axis,
                                const LookVectors& look, std::span<const double> wavenumbers, const PairPlan& plan)
     : tracer_(tracer),
+      faces_(faces),
       axes_(axes),
       shortest_axis_(shortest_axis),
       look_(look),
@@ -123,23 +131,24 @@ PenumbraFringe::PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> a
       shortest_wavelength_(2 * pi / sampling_wavenumber(wavenumbers)) {}
 
 template <class Visit>
-void PenumbraFringe::visit_rims(const LitEdgePiece& source, Visit visit) const {
-  const auto axis = static_cast<std::size_t>(source.edge - axes_.data());
+void PenumbraFringe::visit_rims(const Source& source, Visit visit) const {
+  const EdgeAxis& edge = *source.piece.edge;
+  const auto axis = static_cast<std::size_t>(&edge - axes_.data());
   const auto is_met = [&](const WedgeFace& face) { return plan_.has(axis, face.patch); };
   for (const EdgeAxis& rim : axes_)
-    if (rim.length >= shortest_axis_ && !share_a_face(*source.edge->wedge, *rim.wedge) &&
+    if (rim.length >= shortest_axis_ && !share_a_face(*edge.wedge, *rim.wedge) &&
         (plan_.all() || std::ranges::any_of(rim.wedge->faces, is_met)))
-      visit(rim);
+      visit(Rim{rim, is_clear_between(faces_, *edge.wedge, *rim.wedge)});
 }
 
 void PenumbraFringe::add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums) {
   const Source from(source);
-  visit_rims(source, [&](const EdgeAxis& rim) { add_rim(from, rim, sums); });
+  visit_rims(from, [&](const Rim& rim) { add_rim(from, rim, sums); });
 }
 
 void PenumbraFringe::take_apart(const LitEdgePiece& source, const PathPlace& place, std::vector<ImageEdge>& pieces) const {
   const Source from(source);
-  visit_rims(source, [&](const EdgeAxis& rim) {
+  visit_rims(from, [&](const Rim& rim) {
     const std::vector<double> ends = panels_of(from, rim);
     for (std::size_t i = 1; i < ends.size(); ++i)
       if (const std::optional<Panel> panel = panel_on(from, rim, ends[i - 1], ends[i]))
@@ -184,11 +193,11 @@ const ChebyshevNodes* PenumbraFringe::nodes_of(double half_span) {
   return wavenumbers_.size() > 1 ? band_.nodes_of_fresnel(half_span, node_error) : nullptr;
 }
 
-std::vector<double> PenumbraFringe::panels_of(const Source& source, const EdgeAxis& rim) const {
-  return rim_panels(source.edge, source.wave, source.piece.incidence.source_angle, rim, shortest_wavelength_);
+std::vector<double> PenumbraFringe::panels_of(const Source& source, const Rim& rim) const {
+  return rim_panels(source.edge, source.wave, source.piece.incidence.source_angle, rim.axis, shortest_wavelength_);
 }
 
-void PenumbraFringe::add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums) {
+void PenumbraFringe::add_rim(const Source& source, const Rim& rim, std::vector<ScatteringMatrix>& sums) {
   const std::vector<double> ends = panels_of(source, rim);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const std::optional<Panel> panel = panel_on(source, rim, ends[i - 1], ends[i]);
@@ -212,13 +221,13 @@ std::size_t PenumbraFringe::add_panel(const Source& source, const Panel& panel, 
 }
 
 // By Filon's rule: the phase of the rays' paths is close to linear, what remains changes slowly. Shadows end between points.
-std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& source, const EdgeAxis& rim, double from,
+std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& source, const Rim& rim, double from,
                                                               double to) const {
   const FilonRule& rule = FilonRule::get();
   Panel panel;
   panel.half = (to - from) / 2;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const dvec3 place = rim.origin + ((from + to) / 2 + panel.half * rule.at[i]) * rim.tangent;
+    const dvec3 place = rim.axis.origin + ((from + to) / 2 + panel.half * rule.at[i]) * rim.axis.tangent;
     panel.points[i] = point_on(source, rim, place);
     if (panel.points[i]) panel.phases[i] = panel.points[i]->phase;
   }
@@ -231,23 +240,20 @@ std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& sour
 }
 
 // The wave is taken as plane about a point of the rim, and its fringe current there as that of endless faces.
-std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& source, const EdgeAxis& rim,
-                                                                 const dvec3& place) const {
+std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& source, const Rim& rim, const dvec3& place) const {
   if (!has_edge_ray(source.edge, source.wave, place)) return std::nullopt;
+  const Wedge& wedge = *rim.axis.wedge;
   EdgeRay ray = edge_ray(source.edge, source.wave, place);
   ray.observation_angle = boundary_at(source.edge.n, ray.source_angle, ray.observation_angle).value_or(ray.observation_angle);
-  WedgeIncidence incidence = incidence_on(*rim.wedge, ray.leaving);
-  incidence.weight = incidence_weight(*rim.wedge, incidence);
-  if (incidence.weight == 0.0 || !is_clear(source, ray, *rim.wedge, place)) return std::nullopt;
+  WedgeIncidence incidence = incidence_on(wedge, ray.leaving);
+  incidence.weight = incidence_weight(wedge, incidence);
+  if (incidence.weight == 0.0 || !is_clear(source, ray, rim, place)) return std::nullopt;
   const Way way = way_over(source, ray, place);
   ray.path = 0.0;
   const ArrivingWave wave(source.edge, ray, way.electric, way.look);
-  return RimPoint{ray,
-                  way.phase,
-                  source.piece.weight * source.piece.edge->wedge->share,
-                  wave,
-                  edge_amplitude(*rim.wedge, incidence, wave.look),
-                  place};
+  return RimPoint{
+      ray,  way.phase, source.piece.weight * source.piece.edge->wedge->share, wave, edge_amplitude(wedge, incidence, wave.look),
+      place};
 }
 
 // The wave of a point source is over that of a unit source, which falls as 1 / (s' + s).
@@ -306,18 +312,19 @@ PathSpan PenumbraFringe::Panel::paths() const {
 
 // Whether nothing but the faces of both edges stands between the edge, at the point of its lit piece next to the ray's, and the
 // rim. Rays that run along a face are tested beside it.
-bool PenumbraFringe::is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const {
-  const Wedge& wedge = *source.piece.edge->wedge;
+bool PenumbraFringe::is_clear(const Source& source, const EdgeRay& ray, const Rim& rim, const dvec3& place) const {
+  if (rim.in_the_clear) return true;
+  const Wedge &wedge = *source.piece.edge->wedge, &met = *rim.axis.wedge;
   const double inset = end_inset * (source.piece.to - source.piece.from);
   const double position = std::clamp(ray.arc_length, source.piece.from + inset, source.piece.to - inset);
   const dvec3 start = source.edge.origin + position * source.edge.tangent(), way = place - start;
   const double length = glm::length(way);
-  const dvec3 aside = beside_face * tracer_.mesh().radius * (grazed_side(wedge, ray.leaving) + grazed_side(rim, ray.leaving));
+  const dvec3 aside = beside_face * tracer_.mesh().radius * (grazed_side(wedge, ray.leaving) + grazed_side(met, ray.leaving));
   const IgnoredPatches own{wedge.faces[0].patch, wedge.faces[1].patch, wedge.border_patch};
   const std::uint32_t blocker = tracer_.blocker(start + aside, way / length, own);
   if (blocker == no_index) return true;
   const std::uint32_t patch = tracer_.mesh().triangle_patch[blocker];
-  if (patch == rim.faces[0].patch || patch == rim.faces[1].patch || patch == rim.border_patch) return true;
+  if (patch == met.faces[0].patch || patch == met.faces[1].patch || patch == met.border_patch) return true;
   const Patch& plane = tracer_.mesh().patches[patch];
   return std::abs(plane.offset - glm::dot(plane.normal, start + aside)) > std::abs(glm::dot(plane.normal, way));
 }

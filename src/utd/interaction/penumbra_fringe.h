@@ -15,10 +15,10 @@ namespace raytube {
 /// What the rims of other faces make of the waves of lit pieces of edges, in one look. Keeps references to its arguments.
 class PenumbraFringe {
  public:
-  /// `axes` are the edges that waves of others may reach, sources among them; those shorter than `shortest_axis` [m] do not
-  /// count, nor rims of faces that make no pair of the plan with a source.
-  PenumbraFringe(const Tracer& tracer, std::span<const EdgeAxis> axes, double shortest_axis, const LookVectors& look,
-                 std::span<const double> wavenumbers, const PairPlan& plan = all_pairs);
+  /// `faces` and `tracer` are of one mesh. `axes` are the edges that waves of others may reach, sources among them; those shorter
+  /// than `shortest_axis` [m] do not count, nor rims of faces that make no pair of the plan with a source.
+  PenumbraFringe(const Tracer& tracer, const FaceTree& faces, std::span<const EdgeAxis> axes, double shortest_axis,
+                 const LookVectors& look, std::span<const double> wavenumbers, const PairPlan& plan = all_pairs);
 
   /// Adds S [m] of all rims that the waves of `source` reach, per wavenumber.
   void add(const LitEdgePiece& source, std::vector<ScatteringMatrix>& sums);
@@ -38,23 +38,25 @@ class PenumbraFringe {
 
  private:
   struct Source;
+  struct Rim;
   struct Way;
   Way way_over(const Source& source, const EdgeRay& ray, const dvec3& place) const;
   struct ArrivingWave;
   struct RimPoint;
   struct Panel;
   template <class Visit>
-  void visit_rims(const LitEdgePiece& source, Visit visit) const;
-  void add_rim(const Source& source, const EdgeAxis& rim, std::vector<ScatteringMatrix>& sums);
+  void visit_rims(const Source& source, Visit visit) const;
+  void add_rim(const Source& source, const Rim& rim, std::vector<ScatteringMatrix>& sums);
   std::size_t add_panel(const Source& source, const Panel& panel, std::vector<ScatteringMatrix>& sums);
-  std::optional<Panel> panel_on(const Source& source, const EdgeAxis& rim, double from, double to) const;
-  std::optional<RimPoint> point_on(const Source& source, const EdgeAxis& rim, const dvec3& place) const;
-  bool is_clear(const Source& source, const EdgeRay& ray, const Wedge& rim, const dvec3& place) const;
-  std::vector<double> panels_of(const Source& source, const EdgeAxis& rim) const;
+  std::optional<Panel> panel_on(const Source& source, const Rim& rim, double from, double to) const;
+  std::optional<RimPoint> point_on(const Source& source, const Rim& rim, const dvec3& place) const;
+  bool is_clear(const Source& source, const EdgeRay& ray, const Rim& rim, const dvec3& place) const;
+  std::vector<double> panels_of(const Source& source, const Rim& rim) const;
   static double work_of_panel(std::size_t frequencies);
   const ChebyshevNodes* nodes_of(double half_span);
 
   const Tracer& tracer_;
+  const FaceTree& faces_;
   std::span<const EdgeAxis> axes_;
   double shortest_axis_;
   const LookVectors& look_;

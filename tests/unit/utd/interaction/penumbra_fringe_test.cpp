@@ -40,14 +40,14 @@ class EdgeAndRim {
                                        std::span<const double> wavenumbers) const {
     const Tracer tracer(scene_.mesh);
     std::vector<ScatteringMatrix> sums(wavenumbers.size());
-    PenumbraFringe(tracer, axes_, 0.0, look, wavenumbers).add(lit(wave), sums);
+    PenumbraFringe(tracer, FaceTree(scene_.mesh), axes_, 0.0, look, wavenumbers).add(lit(wave), sums);
     return sums;
   }
 
   std::vector<ScatteringMatrix> step(const LookVectors& look, const PlaneWave& wave, std::span<const double> wavenumbers) const {
     const Tracer tracer(scene_.mesh);
     std::vector<ScatteringMatrix> sums(wavenumbers.size());
-    PenumbraFringe(tracer, axes_, 0.0, look, wavenumbers).add_step(lit(wave), 1.0, sums);
+    PenumbraFringe(tracer, FaceTree(scene_.mesh), axes_, 0.0, look, wavenumbers).add_step(lit(wave), 1.0, sums);
     return sums;
   }
 
@@ -187,8 +187,9 @@ TEST(PenumbraFringe, OwnFacesHaveNone) {
   const PlaneWave wave{look.incident, look.electric, 0.0};
   const double wavenumbers[] = {2 * pi};
   const Tracer tracer(plate.mesh);
+  const FaceTree faces(plate.mesh);
   std::vector<ScatteringMatrix> sums(1);
-  PenumbraFringe penumbra(tracer, axes, 0.0, look, wavenumbers);
+  PenumbraFringe penumbra(tracer, faces, axes, 0.0, look, wavenumbers);
   penumbra.add({&axes[0], &wave, incidence_on(plate.wedges[0], look.incident).faces[0], 0.0, 3.0, 1.0}, sums);
   EXPECT_EQ(largest_amplitude(sums[0]), 0.0);
   EXPECT_EQ(penumbra.work(), 0.0);
