@@ -145,10 +145,13 @@ ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& f
   return result;
 }
 
+// Both sides of a half plane have the same fringe current, what is not geometrical optics being symmetric about its plane
+// (Sommerfeld 1896), unless the light runs along it.
 EdgeAmplitude edge_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look) {
-  const double weight = wedge.share * incidence.weight;
+  const int sides = wedge.is_border() && wedge.n == 2.0 && incidence.faces[0].lit != incidence.faces[1].lit ? 1 : 2;
+  const double weight = wedge.share * incidence.weight * 2.0 / sides;
   EdgeAmplitude result;
-  for (int side = 0; side < 2; ++side) {
+  for (int side = 0; side < sides; ++side) {
     const WedgeFace& face = wedge.faces[side];
     const FaceIncidence& arriving = incidence.faces[side];
     const SplitKernels kernels = split_kernels(wedge.n, arriving, grazing_half_cosine(face, arriving, look.scattered));
