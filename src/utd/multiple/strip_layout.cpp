@@ -20,13 +20,39 @@ double fading_length_of(const WaveTree& tree) {
   return std::max(1e-8 * cone * cone, 1.0 / 30 * (1 - sine / alongside) * (1 - sine / alongside));
 }
 
+// Waves on both sides of half planes, over the same strips.
+bool have_same_kernels(const StripScene& scene, const WaveTree& tree, const TreeWave& a, const TreeWave& b) {
+  const auto grazes_half_plane = [&](const TreeWave& each) {
+    const Wedge& wedge = scene.wedges[each.wave.wedge];
+    return !each.direct && each.wave.mirrors == 0 && wedge.is_border() && wedge.n == 2.0 && !tree.runs_over_curved(each.wave);
+  };
+  const auto bundles = [&](const TreeWave& of) {
+    return tree.bundles().subspan(of.first_bundle, of.end_bundle - of.first_bundle);
+  };
+  const auto are_same = [](const StripBundle& x, const StripBundle& y) {
+    return !x.edge == !y.edge && x.from == y.from && x.to == y.to && x.length == y.length && x.growth == y.growth;
+  };
+  return a.wave.wedge == b.wave.wedge && grazes_half_plane(a) && grazes_half_plane(b) && a.wave.direction == b.wave.direction &&
+         std::ranges::equal(bundles(a), bundles(b), are_same);
+}
+
+std::size_t first_like(const StripScene& scene, const WaveTree& tree, std::size_t wave) {
+  const TreeWave& here = tree.waves()[wave];
+  const auto same = [&](const TreeWave& each) { return have_same_kernels(scene, tree, each, here); };
+  return static_cast<std::size_t>(std::ranges::find_if(tree.waves().first(wave), same) - tree.waves().begin());
+}
+
 void find_faces(const StripScene& scene, StripLayout& strips) {
   strips.faces.clear();
   for (const TreeWave& each : strips.tree.waves()) {
     const StripWave& wave = each.wave;
     const Wedge& wedge = scene.wedges[wave.source];
     const double half_cosine = grazing_half_cosine(wave.across, wave.incidence, scene.look.scattered);
-    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine), {}, face_projection(wave, scene.look)});
+    strips.faces.push_back({Strip(wedge.n, wave.incidence, half_cosine),
+                            {},
+                            face_projection(wave, scene.look),
+                            0,
+                            first_like(scene, strips.tree, strips.faces.size())});
     if (wedge.thickness() > 0.0)
       strips.faces.back().thin.emplace(wedge, wave.source_face, wave.incidence, half_cosine, scene.look.scattered, each.direct);
   }

@@ -56,8 +56,11 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
     return StripWave{edge.wedge,    face,       incidence, sign, left, false, strip_direction(lit, incidence),
                      lit.into_face, edge.wedge, face};
   };
+  const StripWave own = beyond(edge.wedge_face, true, -wave.sign);
+  // Both sides of a half plane carry the same current, as that of a wave that grazes them.
+  if (next.is_border() && next.n == 2.0) return std::array{own, beyond(1 - edge.wedge_face, true, -wave.sign)};
   // t of the other face is opposite, and so is H along it.
-  return std::array{beyond(edge.wedge_face, true, -wave.sign), beyond(1 - edge.wedge_face, false, wave.sign)};
+  return std::array{own, beyond(1 - edge.wedge_face, false, wave.sign)};
 }
 
 // Two mirrors are those where three faces meet; between parallel walls there would be no end of them.
