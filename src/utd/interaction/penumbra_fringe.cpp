@@ -179,10 +179,10 @@ void PenumbraFringe::add_step(const LitEdgePiece& lit, double weight, std::vecto
 bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& source) const {
   const Source from(source);
   const dvec3 middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
-  if (share_a_face(*source.edge->wedge, *lit.edge->wedge) || !has_edge_ray(from.edge, from.wave, middle)) return false;
-  const EdgeRay ray = edge_ray(from.edge, from.wave, middle);
-  return boundary_at(from.edge.n, ray.source_angle, ray.observation_angle) &&
-         glm::length(ray.leaving - lit.wave->about(middle).direction) < 2 * rounding_of_files;
+  if (share_a_face(*source.edge->wedge, *lit.edge->wedge)) return false;
+  const std::optional<EdgeRay> ray = find_edge_ray(from.edge, from.wave, middle);
+  return ray && boundary_at(from.edge.n, ray->source_angle, ray->observation_angle) &&
+         glm::length(ray->leaving - lit.wave->about(middle).direction) < 2 * rounding_of_files;
 }
 
 double PenumbraFringe::work_of_panel(std::size_t frequencies) {
@@ -241,9 +241,10 @@ std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& sour
 
 // The wave is taken as plane about a point of the rim, and its fringe current there as that of endless faces.
 std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& source, const Rim& rim, const dvec3& place) const {
-  if (!has_edge_ray(source.edge, source.wave, place)) return std::nullopt;
+  const std::optional<EdgeRay> reaching = find_edge_ray(source.edge, source.wave, place);
+  if (!reaching) return std::nullopt;
   const Wedge& wedge = *rim.axis.wedge;
-  EdgeRay ray = edge_ray(source.edge, source.wave, place);
+  EdgeRay ray = *reaching;
   ray.observation_angle = boundary_at(source.edge.n, ray.source_angle, ray.observation_angle).value_or(ray.observation_angle);
   WedgeIncidence incidence = incidence_on(wedge, ray.leaving);
   incidence.weight = incidence_weight(wedge, incidence);

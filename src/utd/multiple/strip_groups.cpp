@@ -76,9 +76,11 @@ void StripGroups::put_apart(const StripRow& one, const StripEnd& start, const St
 
 void StripGroups::put(StripPart part, const Linear& path, std::span<const PanelPoint> points, const StripRow& row,
                       PathBins& bins) {
+  // Paths rise or fall all along the row.
   for (std::size_t i = 0, next = 0; i < row.size; i = next) {
     const std::int64_t key = bins.key(path.at(points[i].arc_length));
-    for (next = i + 1; next < row.size && bins.key(path.at(points[next].arc_length)) == key;) ++next;
+    const auto same = [&](const PanelPoint& point) { return bins.key(path.at(point.arc_length)) == key; };
+    next = static_cast<std::size_t>(std::ranges::partition_point(points.subspan(i), same) - points.begin());
     append(part, bins.find(path.at(points[i].arc_length)),
            {row.amplitude + i, row.arriving + i, row.kernel + (row.alike ? 0 : i), next - i, row.alike});
   }

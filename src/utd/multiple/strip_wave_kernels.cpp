@@ -82,10 +82,14 @@ void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave,
       const StripBundle& bundle = strips.tree.bundles()[b];
       const StripRow& row = strips.rows[b];
       const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
-      for (const PanelPoint& point : strips.panels.points().subspan(strips.panels.ranges()[b].first, count)) {
-        behind_.push_back(scale * std::max(here.behind.at(point.arc_length), 0.0));
-        detours_.push_back(k * here.detour.at(point.arc_length));
-        lengths_.push_back(bundle.edge ? behind_.back() + scale * std::max(bundle.length_at(point.arc_length), 0.0) : infinity);
+      const std::span<const PanelPoint> points = strips.panels.points().subspan(strips.panels.ranges()[b].first, count);
+      const std::size_t first = lengths_.size();
+      for (std::vector<double>* each : {&lengths_, &behind_, &detours_}) each->resize(first + count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const double at = points[i].arc_length;
+        behind_[first + i] = scale * std::max(here.behind.at(at), 0.0);
+        detours_[first + i] = k * here.detour.at(at);
+        lengths_[first + i] = bundle.edge ? behind_[first + i] + scale * std::max(bundle.length_at(at), 0.0) : infinity;
       }
     }
   }
@@ -106,10 +110,16 @@ void StripWaveKernels::keep_mirrored_part(const WaveFace& face, std::span<const 
 }
 
 void StripWaveKernels::turn(KernelBatch& kernels) const {
-  for (std::size_t i = 0; i < lengths_.size(); ++i) {
-    const Complex turn = std::isinf(lengths_[i]) ? 0.0 : std::polar(1.0, detours_[i]);
-    for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end})
-      multiply(*column, i, turn);
+  for (std::size_t first = 0; first < lengths_.size(); first += lanes) {
+    Reals angle{};
+    const std::size_t width = std::min(lanes, lengths_.size() - first);
+    for (std::size_t i = 0; i < width; ++i) angle[i] = detours_[first + i];
+    const Complexes phasors = unit_phasors(angle);
+    for (std::size_t i = 0; i < width; ++i) {
+      const Complex turn = std::isinf(lengths_[first + i]) ? 0.0 : phasors[i];
+      for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end})
+        multiply(*column, first + i, turn);
+    }
   }
 }
 

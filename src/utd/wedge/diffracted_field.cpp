@@ -104,32 +104,15 @@ struct EndWave {
   }
 };
 
-EndWave end_wave(double squared, bool inside) {
+// `value` is W of the root.
+EndWave end_wave(double squared, bool inside, Complex value) {
   if (std::isinf(squared)) return {squared, inside, 0.0};
-  return {squared, inside, 0.5 * std::polar(1.0, -squared) * scaled_erfc(std::sqrt(squared))};
+  return {squared, inside, 0.5 * std::polar(1.0, -squared) * value};
 }
 
-}  // namespace
+bool is_reached(const Cylindrical& point) { return point.distance > 0.0 && point.angle >= 0.0; }
 
-// The planes of faces folded flat on one another, and of the sides of thin plates, may cross: n is a little above 2 then. Points
-// between them are in front of both, which no ray can be.
-StraightEdge straight_edge(const Wedge& wedge) {
-  const WedgeFace& face = wedge.faces[0];
-  StraightEdge edge{wedge.start, face.into_face, face.normal, std::min(wedge.n, 2.0), 0.0, wedge.length()};
-  if (glm::dot(edge.tangent(), wedge.end - wedge.start) < 0.0) edge.origin = wedge.end;
-  return edge;
-}
-
-bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
-  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
-  return from.distance > 0.0 && to.distance > 0.0 && from.angle >= 0.0 && to.angle >= 0.0;
-}
-
-EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
-  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
-  require(edge, source);
-  require(from, "source");
-  require(to, "observer");
+EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const Cylindrical& from, const Cylindrical& to) {
   const Unfolded u = unfold(edge, source, from, to);
   EdgeRay ray;
   ray.arc_length = u.arc_length;
@@ -147,21 +130,57 @@ EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3&
   return ray;
 }
 
+}  // namespace
+
+// The planes of faces folded flat on one another, and of the sides of thin plates, may cross: n is a little above 2 then. Points
+// between them are in front of both, which no ray can be.
+StraightEdge straight_edge(const Wedge& wedge) {
+  const WedgeFace& face = wedge.faces[0];
+  StraightEdge edge{wedge.start, face.into_face, face.normal, std::min(wedge.n, 2.0), 0.0, wedge.length()};
+  if (glm::dot(edge.tangent(), wedge.end - wedge.start) < 0.0) edge.origin = wedge.end;
+  return edge;
+}
+
+bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
+  return is_reached(cylindrical(edge, source)) && is_reached(cylindrical(edge, observer - edge.origin));
+}
+
+EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
+  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
+  require(edge, source);
+  require(from, "source");
+  require(to, "observer");
+  return edge_ray(edge, source, from, to);
+}
+
+std::optional<EdgeRay> find_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
+  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
+  if (!is_reached(from) || !is_reached(to)) return std::nullopt;
+  return edge_ray(edge, source, from, to);
+}
 DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber) {
-  const EndWave first = end_wave(wavenumber * ray.detours[0], ray.arc_length > edge.begin);
-  const EndWave last = end_wave(wavenumber * ray.detours[1], ray.arc_length < edge.end);
   const double distance = std::sqrt(wavenumber * ray.distance_parameter);
   const EdgeWaveTerms terms = edge_wave_terms(edge.n, ray.source_angle, ray.observation_angle);
-  const auto sum = [&](const std::array<EdgeWaveTerm, 2>& waves) {
+  const std::array<double, 2> squared{wavenumber * ray.detours[0], wavenumber * ray.detours[1]};
+  Reals arguments{};  // of the incident waves, the reflected ones, and both ends
+  for (int i = 0; i < 2; ++i) {
+    arguments[i] = terms.incident[i].rate * distance;
+    arguments[2 + i] = terms.reflected[i].rate * distance;
+    if (std::isfinite(squared[i])) arguments[4 + i] = std::sqrt(squared[i]);
+  }
+  const Complexes values = scaled_erfc(arguments);
+  const EndWave first = end_wave(squared[0], ray.arc_length > edge.begin, values[4]);
+  const EndWave last = end_wave(squared[1], ray.arc_length < edge.end, values[5]);
+  const auto sum = [&](const std::array<EdgeWaveTerm, 2>& waves, std::size_t from) {
     Complex total = 0.0;
-    for (int i = 0; i < terms.each; ++i) {
-      if (waves[i].strength == 0.0) continue;
-      const double z = waves[i].rate * distance;
-      total += waves[i].strength * scaled_erfc(z) * (first.step(z * z) + last.step(z * z) - 1.0);
+    for (std::size_t i = from; i < from + static_cast<std::size_t>(terms.each); ++i) {
+      if (waves[i - from].strength == 0.0) continue;
+      const double z2 = arguments[i] * arguments[i];
+      total += waves[i - from].strength * values[i] * (first.step(z2) + last.step(z2) - 1.0);
     }
     return total;
   };
-  const Complex incident = sum(terms.incident), reflected = sum(terms.reflected);
+  const Complex incident = sum(terms.incident, 0), reflected = sum(terms.reflected, 2);
   const Complex phase = std::polar(ray.spread, -wavenumber * ray.path);
   return {phase * (incident - reflected), phase * (incident + reflected)};
 }

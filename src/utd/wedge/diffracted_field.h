@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "mesh/features/wedges.h"
 #include "utd/wedge/ray_source.h"
@@ -47,6 +48,9 @@ EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3&
 
 /// False if source or observer lies in the metal or on the edge's line, or a plane wave comes along it: there is no ray then.
 bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer);
+
+/// The ray if there is one; the edge and a line source must be as edge_ray() wants them.
+std::optional<EdgeRay> find_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer);
 
 /// The diffracted ray for a unit scalar wave that vanishes (soft) or has no slope (hard) on the wedge.
 struct DiffractedWave {

@@ -12,13 +12,17 @@ namespace raytube {
 
 namespace {
 
+// Sum of a b over all lanes, those of both halves side by side.
 Complex product(const Complexes& a, const Complexes& b) {
-  double re = 0.0, im = 0.0;
-  for (std::size_t i = 0; i < lanes; ++i) {
-    re += a.re[i] * b.re[i] - a.im[i] * b.im[i];
-    im += a.re[i] * b.im[i] + a.im[i] * b.re[i];
+  constexpr std::size_t half = lanes / 2;
+  static_assert(half == 4);
+  double re[half], im[half];
+  for (std::size_t i = 0; i < half; ++i) {
+    const std::size_t other = i + half;
+    re[i] = (a.re[i] * b.re[i] - a.im[i] * b.im[i]) + (a.re[other] * b.re[other] - a.im[other] * b.im[other]);
+    im[i] = (a.re[i] * b.im[i] + a.im[i] * b.re[i]) + (a.re[other] * b.im[other] + a.im[other] * b.re[other]);
   }
-  return {re, im};
+  return {(re[0] + re[2]) + (re[1] + re[3]), (im[0] + im[2]) + (im[1] + im[3])};
 }
 
 WaveSums sum_of(const edge_row::Waves& waves, const Complexes& weights, const Complexes& by_path, Complex factor,
@@ -74,9 +78,10 @@ void EdgeWaveIntegral::visit_rays(const RayRow& row, double k, Visit visit) cons
     const double near = std::max(row.path + row.path_rate * from, unit), far = std::max(row.path + row.path_rate * to, unit);
     // The number of rules is the same where the ratio is a power of `most_ratio`, whatever the rounding.
     const int parts = 1 + static_cast<int>(std::abs(std::log(far / near)) / std::log(edge_row::most_ratio) + rounding_guard);
-    double begin = from;
+    const double ratio = std::pow(far / near, 1.0 / parts);
+    double begin = from, path = near;
     for (int i = 1; i <= parts; ++i) {
-      const double path = near * std::pow(far / near, static_cast<double>(i) / parts);
+      path *= ratio;
       const double end = i == parts ? to : std::clamp((path - row.path) / row.path_rate, begin, to);
       visit(RowStretch{begin, end});
       begin = end;
@@ -140,9 +145,11 @@ EdgeWaveIntegral::Samples EdgeWaveIntegral::sampled(const RayRow& row, const Row
   Samples samples;
   samples.scale = stretch.half();
   samples.sin_cone = sin_cone_;
+  const double middle = stretch.middle(), half = stretch.half(), sin_cone = sin_cone_;
+  const RayRow along = row;  // what the lanes read does not change as they are written
   for (std::size_t i = 0; i < lanes; ++i) {
-    samples.path[i] = std::max(row.path + row.path_rate * (stretch.middle() + stretch.half() * rule.at[i]), 0.0);
-    samples.root[i] = sin_cone_ * std::sqrt(k * samples.path[i]);
+    samples.path[i] = std::max(along.path + along.path_rate * (middle + half * rule.at[i]), 0.0);
+    samples.root[i] = sin_cone * std::sqrt(k * samples.path[i]);
   }
   const auto all = [](std::size_t, double) { return std::pair(1.0, 1.0); };
   samples.waves = edge_row::both_waves(terms_, samples.root, all);

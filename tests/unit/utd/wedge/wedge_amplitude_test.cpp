@@ -163,5 +163,26 @@ TEST(WedgeIncidence, GrazingLooks) {
   EXPECT_EQ(incidence_on(edge, {0, 0, 1}).weight, 0.0);
 }
 
+// One side of a half plane stands for both: the same wedge between two patches is computed side by side. They differ by rounding.
+TEST(WedgeAmplitude, SidesOfAHalfPlaneAreAlike) {
+  Wedge sheet = wedge_along_z(2.0);
+  sheet.n = 2.0;
+  sheet.faces[0].width = sheet.faces[1].width = 3.0;
+  sheet.faces[1].into_face = sheet.faces[0].into_face;
+  sheet.faces[1].normal = -sheet.faces[0].normal;
+  const Wedge folded = sheet;
+  sheet.faces[1].patch = sheet.faces[0].patch;
+  for (const double source : {0.3, 1.7, 3.0, 3.3, 5.9})
+    for (const double observer : {0.2, 2.5, 3.6, 6.0}) {
+      const LookVectors look = edge_fixed_look(1.1, source, observer);
+      const WedgeIncidence incidence = incidence_on(sheet, look.incident);
+      bool windowed = false, windowed_by_sides = false;
+      const ScatteringMatrix once = amplitude_at(edge_amplitude(sheet, incidence, look), k, windowed),
+                             by_sides = amplitude_at(edge_amplitude(folded, incidence, look), k, windowed_by_sides);
+      EXPECT_LT(largest_amplitude(once - by_sides), 1e-12 * largest_amplitude(by_sides)) << source << ' ' << observer;
+      EXPECT_EQ(windowed, windowed_by_sides);
+    }
+}
+
 }  // namespace
 }  // namespace raytube
