@@ -67,7 +67,7 @@ class Integrator {
  private:
   // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Over a panel along which the phase changes
   // by up to a in half of it, as a parabola through three azimuths does, its Legendre series ends with j_n(a), which falls beyond
-  // n = a over a few times the cube root of a (DLMF 10.19(iii)). Of both ends of the range that counts which changes less: where
+  // n = a over about the cube root of a (DLMF 10.19(iii)). Of both ends of the range that counts which changes less: where
   // rays come to meet another face, one of them jumps. Much of the way round an edge rays meet nothing.
   std::optional<std::size_t> first_rule(double from, double to) const {
     constexpr std::array shares = {0.03, 0.5, 0.97};
@@ -87,7 +87,7 @@ class Integrator {
       steepest = std::max(steepest, std::min(slope(&PhaseRange::low), slope(&PhaseRange::high)));
     }
     // A millionth of a point keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
-    const double points = std::max(5.0 + turned / 2, steepest + 2.0 * std::cbrt(steepest)) - 1e-6;
+    const double points = std::max(5.0 + turned / 2, steepest + std::cbrt(steepest)) - 1e-6;
     return std::ranges::lower_bound(counts, points) - counts.begin();
   }
 
