@@ -48,7 +48,7 @@ class Integrator {
   void add(double from, double to, double tolerance, int halvings) {
     const std::optional<std::size_t> first = first_rule(from, to);
     if (!first) return;
-    for (std::size_t rule = halvings == 8 ? std::min(*first, counts.size() - 1) : *first; rule < counts.size(); ++rule) {
+    for (std::size_t rule = *first; rule < counts.size(); ++rule) {
       sample(rules()[rule], from, to);
       if (!estimate(rules()[rule], to - from, tolerance) && !(halvings == 8 && rule + 1 == counts.size())) continue;
       accept();
@@ -65,30 +65,22 @@ class Integrator {
   AzimuthIntegral take() { return std::move(result_); }
 
  private:
-  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Over a panel along which the phase changes
-  // by up to a in half of it, as a parabola through three azimuths does, its Legendre series ends with j_n(a), which falls beyond
-  // n = a over about the cube root of a (DLMF 10.19(iii)). Of both ends of the range that counts which changes less: where
-  // rays come to meet another face, one of them jumps. Much of the way round an edge rays meet nothing.
+  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Much of the way round an edge
+  // rays meet nothing.
   std::optional<std::size_t> first_rule(double from, double to) const {
-    constexpr std::array shares = {0.03, 0.5, 0.97};
-    std::array<std::optional<PhaseRange>, shares.size()> at;
-    for (std::size_t i = 0; i < at.size(); ++i) at[i] = density_.survey(from + shares[i] * (to - from));
-    if (std::ranges::none_of(at, [](const auto& range) { return range.has_value(); })) return {};
-    std::array<PhaseRange, 2> change{};
-    for (std::size_t i = 0; i < 2; ++i)
-      if (at[i] && at[i + 1]) change[i] = {at[i + 1]->low - at[i]->low, at[i + 1]->high - at[i]->high};
-    const double bend = at[0] && at[1] && at[2] ? 0.5 : 0.0, half = 2 * (shares[1] - shares[0]);
-    double turned = 0.0, steepest = 0.0;
-    for (std::size_t i = 0; i < 2; ++i) {
-      turned += std::max(std::abs(change[i].low), std::abs(change[i].high));
-      const auto slope = [&](double PhaseRange::*end) {
-        return std::abs((1 + bend) * change[i].*end - bend * change[1 - i].*end) / half;
-      };
-      steepest = std::max(steepest, std::min(slope(&PhaseRange::low), slope(&PhaseRange::high)));
+    std::optional<PhaseRange> before;
+    double turned = 0.0;
+    bool any = false;
+    for (const double share : {0.03, 0.5, 0.97}) {
+      const std::optional<PhaseRange> here = density_.survey(from + share * (to - from));
+      if (here && before) turned += std::max(std::abs(here->low - before->low), std::abs(here->high - before->high));
+      any = any || here;
+      before = here;
     }
+    if (!any) return {};
     // A millionth of a point keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
-    const double points = std::max(5.0 + turned / 2, steepest + std::cbrt(steepest)) - 1e-6;
-    return std::ranges::lower_bound(counts, points) - counts.begin();
+    const auto enough = std::ranges::lower_bound(counts, 5.0 + turned / 2 - 1e-6);
+    return std::min<std::size_t>(enough - counts.begin(), counts.size() - 1);
   }
 
   void sample(const Rule& rule, double from, double to) {
