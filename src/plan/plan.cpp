@@ -71,7 +71,7 @@ CurvedBodies curved_bodies(SolvePlan& plan) {
   const bool may_be_convex =
       plan.target.convexity.no_reflection || (plan.tubes.skip && components.size() == 1 && components[0].closed);
   if (may_be_convex || plan.tubes.curved == CurvedSurfaces::always) return {with_flat_sheets(plan, surfaces_of(plan)), {}};
-  auto surfaces = components.size() == 1 ? std::nullopt : bodies_apart(plan.target.mesh, plan.target.options.min_wedge_angle);
+  auto surfaces = components.size() == 1 ? std::nullopt : bodies_apart(plan.target.faces, plan.target.options.min_wedge_angle);
   if (!surfaces) return {};
   plan.known_surfaces = std::make_shared<const SmoothSurfaces>(std::move(*surfaces));
   return {{}, with_flat_sheets(plan, plan.known_surfaces)};

@@ -8,8 +8,7 @@ namespace raytube {
 
 namespace {
 
-// Terms of winding numbers, about a second's worth; bodies that may enclose others, the largest of a mesh.
-constexpr std::uint64_t most_terms = 50'000'000;
+// Bodies that may enclose others, the largest of a mesh.
 constexpr std::size_t most_bodies = 16;
 
 class EnclosedComponents {
@@ -45,11 +44,37 @@ class EnclosedComponents {
   bool encloses(std::uint32_t body, std::uint32_t component) {
     const Box &outer = boxes_[body], &inner = boxes_[component];
     if (!glm::all(glm::lessThan(outer.low, inner.low)) || !glm::all(glm::lessThan(inner.high, outer.high))) return false;
-    terms_ += triangles_[body].size();
-    const dvec3& corner = mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]];
-    // A winding number is a whole one.
-    return terms_ <= most_terms && std::abs(winding_number(mesh_, triangles_[body], corner) - 1.0) < 0.1 &&
+    return winding_number(body, mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]]) == 1 &&
            std::ranges::none_of(triangles_[component], [&](std::uint32_t t) { return may_touch(body, t); });
+  }
+
+  // How often a closed body winds about a point: the faces that the line from there along z leaves through, less those that it
+  // enters by. Each side is met by both of its triangles or by neither, whatever the rounding (Shimrat 1962, Algorithm 112).
+  int winding_number(std::uint32_t body, const dvec3& point) {
+    tree_.collect({point, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dvec2(0.0), dvec2(0.0)}, found_);
+    int number = 0;
+    for (const std::uint32_t face : found_)
+      for (const std::uint32_t t : tree_.triangles(face)) {
+        if (mesh_.triangle_component[t] != body || !is_above(t, point)) continue;
+        number += area_vector(mesh_.vertices, mesh_.triangles[t]).z > 0.0 ? 1 : -1;
+      }
+    return number;
+  }
+
+  bool is_above(std::uint32_t triangle, const dvec3& point) const {
+    const Triangle& corners = mesh_.triangles[triangle];
+    bool over = false;
+    for (int i = 0; i < 3; ++i)
+      if (lies_beside(std::min(corners[i], corners[(i + 1) % 3]), std::max(corners[i], corners[(i + 1) % 3]), point))
+        over = !over;
+    const dvec3 across = area_vector(mesh_.vertices, corners);
+    return over && glm::dot(across, mesh_.vertices[corners[0]] - point) * across.z > 0.0;
+  }
+
+  // Whether the line along x from a point meets the side between two vertices, all seen along z.
+  bool lies_beside(std::uint32_t first, std::uint32_t last, const dvec3& point) const {
+    const dvec3 &a = mesh_.vertices[first], &b = mesh_.vertices[last];
+    return (a.y > point.y) != (b.y > point.y) && a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x) > point.x;
   }
 
   // Two triangles are apart if one lies clear of the other's plane; some others are, too.
@@ -74,7 +99,6 @@ class EnclosedComponents {
   const TriangleMesh& mesh_;
   std::vector<Box> boxes_;  // of the components
   TriangleRows triangles_;  // of the components
-  std::uint64_t terms_ = 0;
   double margin_ = flat_fraction * 2.0 * mesh_.radius;
   std::vector<std::uint32_t> found_;
 };

@@ -9,7 +9,8 @@
 namespace raytube {
 
 /// For each component of the mesh, whether it lies inside a closed one without touching it: waves from outside never get there,
-/// straight or reflected. Parts that come near the surface of the body, or that would take long to tell, count as reachable.
+/// straight or reflected. Parts that come near the surface of the body count as reachable, and so does what lies inside
+/// none of the sixteen largest.
 std::vector<bool> find_enclosed_components(const FaceTree& tree);
 
 /// Marks the wedges of the components for which `components` holds (Wedge::enclosed). Returns how many of those that conduct it

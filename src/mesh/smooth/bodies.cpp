@@ -6,6 +6,7 @@
 #include "mesh/features/convexity.h"
 #include "mesh/model/geometry.h"
 #include "mesh/model/point_tree.h"
+#include "mesh/model/triangle_pairs.h"
 
 namespace raytube {
 
@@ -64,27 +65,27 @@ double distance_to_triangle(const dvec3& p, const dvec3& a, const dvec3& b, cons
   return std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
 }
 
-bool keeps_away(const Body& other, const Body& body) {
+bool stands_apart(const Body& body, std::uint32_t component, const FaceTree& faces) {
+  if (!body.mesh.components[0].closed) return false;
+  const TriangleMesh& mesh = faces.mesh();
   const double clear = clear_radii * body.radius;
-  if (glm::distance(other.middle, body.middle) > clear + other.radius) return true;
-  const std::vector<dvec3>& v = other.mesh.vertices;
-  return std::ranges::all_of(other.mesh.triangles, [&](const Triangle& t) {
-    return distance_to_triangle(body.middle, v[t[0]], v[t[1]], v[t[2]]) > clear;
-  });
-}
-
-bool stands_apart(const Body& body, const std::vector<Body>& all) {
-  return body.mesh.components[0].closed &&
-         std::ranges::all_of(all, [&](const Body& other) { return &other == &body || keeps_away(other, body); });
+  const auto keeps_away = [&](std::uint32_t t) {
+    const auto [a, b, c] = mesh.corners(t);
+    return mesh.triangle_component[t] == component || distance_to_triangle(body.middle, a, b, c) > clear;
+  };
+  std::vector<std::uint32_t> near;
+  collect_near(faces, {body.middle, body.middle, body.middle}, clear, near);
+  return std::ranges::all_of(near, [&](std::uint32_t face) { return std::ranges::all_of(faces.triangles(face), keeps_away); });
 }
 
 }  // namespace
 
-std::optional<SmoothSurfaces> bodies_apart(const TriangleMesh& mesh, double max_crease) {
+std::optional<SmoothSurfaces> bodies_apart(const FaceTree& faces, double max_crease) {
+  const TriangleMesh& mesh = faces.mesh();
   std::vector<Body> bodies = components_of(mesh);
   for (Body& body : bodies) enclose(body);
   std::vector<bool> taken;
-  for (const Body& body : bodies) taken.push_back(stands_apart(body, bodies));
+  for (std::uint32_t c = 0; c < bodies.size(); ++c) taken.push_back(stands_apart(bodies[c], c, faces));
   if (std::ranges::find(taken, true) == taken.end()) return {};
   SmoothSurfaces surfaces(mesh, max_crease);
   std::vector<double> rises(bodies.size(), 0.0);

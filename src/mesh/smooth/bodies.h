@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "mesh/model/face_tree.h"
 #include "mesh/smooth/smooth.h"
 
 namespace raytube {
@@ -16,6 +17,6 @@ inline constexpr double most_dent = 4.0;
 /// each curved plane, 1 + 2 d / R at a distance d from a radius R, which the parallel tubes of facets do not; and little of it
 /// meets anything. Other surfaces count as flat. Nothing if there is no such body. Creases below `max_crease` [rad] are
 /// tessellation.
-std::optional<SmoothSurfaces> bodies_apart(const TriangleMesh& mesh, double max_crease);
+std::optional<SmoothSurfaces> bodies_apart(const FaceTree& faces, double max_crease);
 
 }  // namespace raytube

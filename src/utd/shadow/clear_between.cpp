@@ -13,7 +13,8 @@ namespace {
 struct Heights {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 
-  Heights(const Patch& plane, std::span<const dvec3> points) {
+  template <class Points>
+  Heights(const Patch& plane, const Points& points) {
     for (const dvec3& point : points) {
       const double height = plane.height(point);
       least = std::min(least, height), most = std::max(most, height);

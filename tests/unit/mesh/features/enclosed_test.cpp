@@ -53,5 +53,17 @@ TEST(Enclosed, NotInHollows) {
   EXPECT_THAT(enclosed(shapes::joined(open, shapes::box(dvec3(-0.3), dvec3(0.2)))), ElementsAre(false, false));
 }
 
+// Each of a thousand blocks in a sphere of 160 000 facets.
+TEST(Enclosed, EachOfManyBodies) {
+  PolygonSoup soup = shapes::sphere(200);
+  for (int i = 0; i < 1000; ++i) {
+    const dvec3 at(0.1 * (i % 10) - 0.45, 0.1 * (i / 10 % 10) - 0.45, 0.1 * (i / 100) - 0.45);
+    shapes::append(soup, shapes::box(at - 0.01, at + 0.01));
+  }
+  std::vector<bool> expected(1001, true);
+  expected[0] = false;
+  EXPECT_EQ(enclosed(soup), expected);
+}
+
 }  // namespace
 }  // namespace raytube

@@ -158,7 +158,7 @@ TEST(SmoothSurfaces, ConeOfOneRowIsStraightToItsTip) {
 
 std::size_t facets_of_bodies_apart(const PolygonSoup& soup) {
   const LoadedMesh loaded = build_mesh(soup, 1.0);
-  const std::optional<SmoothSurfaces> bodies = bodies_apart(loaded.mesh, crease);
+  const std::optional<SmoothSurfaces> bodies = bodies_apart(FaceTree(loaded.mesh), crease);
   return bodies ? bodies->facets() : 0;
 }
 
