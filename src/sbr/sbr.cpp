@@ -30,9 +30,8 @@ constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
 // The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
 // with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
 constexpr double density_for_a_decibel = 10.0;
-// Where the model uncertainty permits more than the tolerance: what vehicles are permitted is above what these leave (a tenth of
-// a decibel in the median row, told two times too large) but for a row in a hundred, which climbs.
-constexpr double density_for_models = 7.0;
+// What a row is taken to be permitted, in decibels, before its model uncertainty is known: that of vehicles permits more.
+constexpr double permitted_at_first = 1.0;
 
 // Share of the densest grid that can be launched which the tolerance alone does not exceed.
 constexpr double finest_grid = 0.9;
@@ -236,8 +235,8 @@ class LookTracer {
   double density_to_begin_with(const Division& division) const {
     const bool fixed = options_.per_wavelength >= options_.max_per_wavelength;
     if (!division.polygons || fixed) return first_density(options_);
-    const double for_tolerance = density_for_a_decibel * std::pow(options_.tolerance_db, -1.0 / order_of_polygons);
-    return std::min({for_tolerance, work_.permits ? density_for_models : for_tolerance, densest()});
+    const double permitted = work_.permits ? std::max(options_.tolerance_db, permitted_at_first) : options_.tolerance_db;
+    return std::min(density_for_a_decibel * std::pow(permitted, -1.0 / order_of_polygons), densest());
   }
 
   LaunchGrid grid_of(const LookPart& part, int rung) const {
