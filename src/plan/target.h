@@ -18,6 +18,7 @@ namespace raytube {
 /// What the surface of a mesh tells by itself: its wedges, the outlines of their faces, and the narrow faces that may be edges of
 /// thin plates (none without `thin_plates`). Keeps a reference to the mesh.
 struct SurfaceFeatures {
+  /// Finds them, each from what stands before it.
   SurfaceFeatures(const TriangleMesh& mesh, const WedgeOptions& options);
 
   FaceTree faces;                               // convex polygons of its patches

@@ -14,7 +14,7 @@ namespace raytube {
 
 /// What lies on one side of a plane: all points r with axis . r >= least. The axis is a unit vector.
 struct PrismSide {
-  dvec3 axis;
+  dvec3 axis;    // across the plane
   double least;  // [m]
 };
 
@@ -26,9 +26,10 @@ struct Prism {
   double farthest = std::numeric_limits<double>::infinity();  // bound along `direction` [m]
   /// Bounds it further: only what reaches into all of these counts. Any number of them may be left out.
   static constexpr std::size_t most_sides = 8;
-  std::array<PrismSide, most_sides> sides{};
-  std::size_t side_count = 0;
+  std::array<PrismSide, most_sides> sides{};  // the first `side_count` of them
+  std::size_t side_count = 0;                 // of these in use
 
+  /// Bounds it by one more side while there is room.
   void add(const PrismSide& side) {
     if (side_count < most_sides) sides[side_count++] = side;
   }
