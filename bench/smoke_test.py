@@ -16,7 +16,7 @@ from report_numbers import RANDOM, body_named, curve, exponent, growths
 BENCH = pathlib.Path(__file__).resolve().parent
 BUILD, OUTPUT = (pathlib.Path(folder).resolve() for folder in sys.argv[1:3])
 SECTIONS = ["Asked and measured", "Error against rays and time", "Uniform mode against bare Embree", "Growth",
-            "Dihedral of 150 mm, 94 GHz, four looks", "Whole jobs", "Peak memory"]
+            "Dihedral of 150 mm, 94 GHz, four looks", "Whole jobs", "Peak memory", "Vehicles"]
 
 
 class Report(unittest.TestCase):
