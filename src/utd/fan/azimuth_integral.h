@@ -33,9 +33,9 @@ struct AzimuthIntegral {
 };
 
 /// Integral over panels between ascending `cuts` [rad]. A Gauss rule of as many points as the phases of the integrand ask for,
-/// then of more, then half the panel, until the estimated error is below the panel's share of `tolerance`. A panel with nothing
-/// at its middle and close to its ends is passed over. `tolerance` is that of the Frobenius norm of the sum. Of the panels none
-/// is left out but those that `wanted` [rad], if not empty, does not reach.
+/// then of more, then half the panel, at once where they ask for more than 48, until the estimated error is below the panel's
+/// share of `tolerance`. A panel with nothing at its middle and close to its ends is passed over. `tolerance` is that of the
+/// Frobenius norm of the sum. Of the panels none is left out but those that `wanted` [rad], if not empty, does not reach.
 AzimuthIntegral integrate_over_azimuth(const AzimuthDensity& density, std::size_t frequency_count,
                                        const std::vector<double>& cuts, double tolerance,
                                        std::span<const AzimuthRange> wanted = {});

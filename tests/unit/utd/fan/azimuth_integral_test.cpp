@@ -1,9 +1,9 @@
 // Integrals over the azimuth about an edge: what they hold to, and whether they know their error.
+#include "utd/fan/azimuth_integral.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "utd/fan/azimuth_integral.h"
 
 namespace raytube {
 namespace {
@@ -135,6 +135,25 @@ TEST(AzimuthIntegral, WhatVanishesIsNotSampled) {
   const AzimuthIntegral sum = integrate_over_azimuth({density, survey}, 1, cuts, 1e-4);
   EXPECT_EQ(sampled, 0);
   EXPECT_EQ(frobenius_norm(sum.value.at(0)), 0.0);
+}
+
+// The phase 30 x^2 turns by 30 over the half of its panel where it is steepest, and by no more than 28 in all: it takes 48
+// points, where 24 and 32 were tried before.
+TEST(AzimuthIntegral, FirstRuleFollowsTheSteepestPhase) {
+  int sampled = 0;
+  const auto phase = [](double x) { return 30.0 * x * x; };
+  const auto density = [&](double x, std::vector<ScatteringMatrix>& result) {
+    ++sampled;
+    result.assign(1, {});
+    result[0].at(0, 0) = std::polar(1.0, phase(x));
+  };
+  const auto survey = [&](double x) { return PhaseRange{phase(x), phase(x)}; };
+  const AzimuthIntegral sum = integrate_over_azimuth({density, survey}, 1, {0.0, 1.0}, 1e-6);
+  EXPECT_EQ(sampled, 48);
+  Complex expected = 0.0;
+  constexpr int points = 20000;  // of the midpoint rule, which is off by less than 1e-7
+  for (int i = 0; i < points; ++i) expected += std::polar(1.0 / points, phase((i + 0.5) / points));
+  EXPECT_LT(std::abs(sum.value.at(0).vv() - expected), 1e-6);
 }
 
 }  // namespace
