@@ -42,6 +42,13 @@ void store(const Complexes& values, ComplexColumn& column, std::size_t first) {
   std::copy_n(values.im.value, lanes, column.im.data() + first);
 }
 
+Complexes load(const ComplexColumn& column, std::size_t first) {
+  Complexes result;
+  std::copy_n(column.re.data() + first, lanes, result.re.value);
+  std::copy_n(column.im.data() + first, lanes, result.im.value);
+  return result;
+}
+
 void add_products(Complexes& sum, const Complexes& a, const Complexes& b) {
   for (std::size_t i = 0; i < lanes; ++i) {
     sum.re[i] += a.re[i] * b.re[i] - a.im[i] * b.im[i];

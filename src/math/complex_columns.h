@@ -27,6 +27,7 @@ struct ColumnView {
 };
 
 void store(const Complexes& values, ComplexColumn& column, std::size_t first);
+Complexes load(const ComplexColumn& column, std::size_t first);
 
 /// sum += a b, number by number.
 void add_products(Complexes& sum, const Complexes& a, const Complexes& b);

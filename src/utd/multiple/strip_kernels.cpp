@@ -259,9 +259,11 @@ void Strip::finite_at(std::span<const double> lengths, KernelBatch& batch) const
 
 void Strip::at(std::span<const double> lengths, KernelBatch& batch) const {
   const auto is_untruncated = [](double length) { return std::isinf(length); };
+  std::size_t endless = 0;
+  for (const double length : lengths) endless += is_untruncated(length) ? 1 : 0;
   batch.make_room(lengths.size());
-  if (!std::ranges::all_of(lengths, is_untruncated)) finite_at(lengths, batch);
-  if (std::ranges::none_of(lengths, is_untruncated)) return;
+  if (endless < lengths.size()) finite_at(lengths, batch);
+  if (endless == 0) return;
   const StripKernels without_end = untruncated();
   for (std::size_t i = 0; i < lengths.size(); ++i)
     if (is_untruncated(lengths[i])) batch.set(i, without_end);

@@ -23,8 +23,8 @@ double fading_length_of(const WaveTree& tree) {
 // Waves on both sides of half planes, over the same strips.
 bool have_same_kernels(const StripScene& scene, const WaveTree& tree, const TreeWave& a, const TreeWave& b) {
   const auto grazes_half_plane = [&](const TreeWave& each) {
-    const Wedge& wedge = scene.wedges[each.wave.wedge];
-    return !each.direct && each.wave.mirrors == 0 && wedge.is_border() && wedge.n == 2.0 && !tree.runs_over_curved(each.wave);
+    return !each.direct && each.wave.mirrors == 0 && ends_sheet(scene.wedges[each.wave.wedge]) &&
+           !tree.runs_over_curved(each.wave);
   };
   const auto bundles = [&](const TreeWave& of) {
     return tree.bundles().subspan(of.first_bundle, of.end_bundle - of.first_bundle);

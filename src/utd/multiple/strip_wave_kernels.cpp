@@ -16,8 +16,6 @@ void add_product(FringeKernels& sum, const FringeKernels& kernels, Complex facto
   sum.axial += factor * kernels.axial;
 }
 
-void multiply(ComplexColumn& column, std::size_t i, Complex factor) { column.set(i, factor * column[i]); }
-
 void bound_untruncated(const ForwardPole& pole, std::size_t per_wavenumber, std::span<const double> wavenumbers,
                        std::span<const double> lengths, KernelBatch& kernels) {
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -46,7 +44,7 @@ void fade_soft_ends(double fading_length, std::span<const double> lengths, Kerne
     if (std::ranges::min(lengths.subspan(first, width)) > whole_length * fading_length) continue;
     for (std::size_t i = 0; i < width; ++i) length[i] = lengths[first + i] / fading_length;
     const Reals share = one_minus_exp(length);
-    for (std::size_t i = 0; i < width; ++i) multiply(kernels.soft_end, first + i, share[i]);
+    for (std::size_t i = 0; i < width; ++i) kernels.soft_end.set(first + i, share[i] * kernels.soft_end[first + i]);
   }
 }
 
@@ -75,6 +73,7 @@ void StripWaveKernels::find_parts(const WaveFace& face, std::span<const double> 
 
 void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave, std::span<const double> wavenumbers) {
   const TreeWave& here = strips.tree.waves()[wave];
+  const bool mirrored = here.wave.mirrors > 0;
   for (std::vector<double>* each : {&lengths_, &behind_, &detours_}) each->clear();
   for (const double k : wavenumbers) {
     const double scale = k * here.wave.incidence.sin_cone * here.wave.incidence.sin_cone;
@@ -84,12 +83,15 @@ void StripWaveKernels::find_lengths(const StripLayout& strips, std::size_t wave,
       const std::size_t count = row.alike ? std::min<std::size_t>(row.size, 1) : row.size;
       const std::span<const PanelPoint> points = strips.panels.points().subspan(strips.panels.ranges()[b].first, count);
       const std::size_t first = lengths_.size();
-      for (std::vector<double>* each : {&lengths_, &behind_, &detours_}) each->resize(first + count);
+      if (bundle.edge)
+        for (const PanelPoint& point : points) lengths_.push_back(scale * std::max(bundle.length_at(point.arc_length), 0.0));
+      else
+        lengths_.resize(first + count, infinity);
+      if (!mirrored) continue;
       for (std::size_t i = 0; i < count; ++i) {
-        const double at = points[i].arc_length;
-        behind_[first + i] = scale * std::max(here.behind.at(at), 0.0);
-        detours_[first + i] = k * here.detour.at(at);
-        lengths_[first + i] = bundle.edge ? behind_[first + i] + scale * std::max(bundle.length_at(at), 0.0) : infinity;
+        behind_.push_back(scale * std::max(here.behind.at(points[i].arc_length), 0.0));
+        detours_.push_back(k * here.detour.at(points[i].arc_length));
+        lengths_[first + i] += behind_.back();
       }
     }
   }
@@ -114,11 +116,13 @@ void StripWaveKernels::turn(KernelBatch& kernels) const {
     Reals angle{};
     const std::size_t width = std::min(lanes, lengths_.size() - first);
     for (std::size_t i = 0; i < width; ++i) angle[i] = detours_[first + i];
-    const Complexes phasors = unit_phasors(angle);
-    for (std::size_t i = 0; i < width; ++i) {
-      const Complex turn = std::isinf(lengths_[first + i]) ? 0.0 : phasors[i];
-      for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end})
-        multiply(*column, first + i, turn);
+    Complexes turn = unit_phasors(angle);
+    for (std::size_t i = 0; i < width; ++i)
+      if (std::isinf(lengths_[first + i])) turn.set(i, 0.0);
+    for (ComplexColumn* column : {&kernels.soft, &kernels.hard, &kernels.axial, &kernels.end, &kernels.soft_end}) {
+      Complexes turned{};
+      add_products(turned, load(*column, first), turn);
+      store(turned, *column, first);
     }
   }
 }

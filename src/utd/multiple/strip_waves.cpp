@@ -58,7 +58,7 @@ std::optional<std::array<StripWave, 2>> waves_beyond(std::span<const Wedge> wedg
   };
   const StripWave own = beyond(edge.wedge_face, true, -wave.sign);
   // Both sides of a half plane carry the same current, as that of a wave that grazes them.
-  if (next.is_border() && next.n == 2.0) return std::array{own, beyond(1 - edge.wedge_face, true, -wave.sign)};
+  if (ends_sheet(next)) return std::array{own, beyond(1 - edge.wedge_face, true, -wave.sign)};
   // t of the other face is opposite, and so is H along it.
   return std::array{own, beyond(1 - edge.wedge_face, false, wave.sign)};
 }

@@ -26,7 +26,8 @@ struct StripWave {
   std::uint32_t wedge = no_index;
   int face = 0;
   FaceIncidence incidence;
-  double sign = 1.0;              // sign of H along the edge against the wave it came from, times the share of an image
+  // Sign of H along the edge against the wave it came from, times the share of an image, and twice where it stands for two waves.
+  double sign = 1.0;
   int strips_left = 1;            // strips one after another that are still followed, this one included
   bool lights_far_edges = false;  // the incident wave only grazes this face: beyond it the count of strips begins anew
   dvec3 direction;                // sigma, in the face: of the grazing diffracted ray the strips follow

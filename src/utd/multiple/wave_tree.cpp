@@ -73,12 +73,35 @@ void WaveTree::continue_beyond(std::size_t index) {
     if (!bundle.edge) continue;
     if (continue_by_images_) mirror(index, b);
     const TreeWave& wave = waves_[index];  // until the next ones are added
+    if (const StripBundle* other = same_on_other_side(index, bundle)) {
+      for (TreeWave& beyond : std::span(waves_).subspan(other->first_beyond, 2)) beyond.wave.sign *= 2.0;
+      continue;
+    }
     const auto next = waves_beyond(wedges_, wave.wave, *bundle.edge);
     if (!next) continue;
+    bundles_[b].first_beyond = waves_.size();
     const dvec3 direction = wave.wave.direction;
     const EdgeLine there{wave.line.origin + bundle.length * direction, wave.line.step + bundle.growth * direction};
     for (const StripWave& beyond : *next) waves_.push_back({beyond, there, bundle.end_path, b});
   }
+}
+
+// A half plane sends the same wave over both of its sides. Where both come to the edge of a half plane, each starts the same two
+// waves on the sides of that: those of the other side, which came first, then count for both.
+const StripBundle* WaveTree::same_on_other_side(std::size_t index, const StripBundle& bundle) const {
+  if (index == 0) return nullptr;
+  const TreeWave &here = waves_[index], &other = waves_[index - 1];
+  const auto starts_at_half_plane = [&](const TreeWave& each) {
+    return !each.direct && each.wave.mirrors == 0 && ends_sheet(wedges_[each.wave.wedge]);
+  };
+  if (here.parent != other.parent || !starts_at_half_plane(here) || !starts_at_half_plane(other)) return nullptr;
+  const auto is_same = [&](const StripBundle& each) {
+    return each.first_beyond > 0 && each.edge->wedge == bundle.edge->wedge && ends_sheet(wedges_[each.edge->wedge]) &&
+           each.from == bundle.from && each.to == bundle.to;
+  };
+  const auto bundles = std::span(bundles_).subspan(other.first_bundle, other.end_bundle - other.first_bundle);
+  const auto same = std::ranges::find_if(bundles, is_same);
+  return same == bundles.end() ? nullptr : &*same;
 }
 
 // The straight path from the image of the source in the corner's other face is l (s . sigma - s . sigma') longer, l the way to

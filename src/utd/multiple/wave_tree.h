@@ -29,6 +29,7 @@ struct StripBundle {
   const OutlineEdge* edge = nullptr;  // where they end; null if they are semi-infinite
   double length = 0.0, growth = 0.0;  // the strip from arc length z is length + growth z long [m]
   Linear start_path, end_path;        // phase at their starts and at their ends, over k [m]
+  std::size_t first_beyond = 0;       // the first of the two waves that start where they end; 0: there are none
 
   double length_at(double arc_length) const { return length + growth * arc_length; }
 };
@@ -84,6 +85,7 @@ class WaveTree {
   void end_bundle(const TreeWave& wave, double from, double to, const OutlineEdge* edge);
   void continue_beyond(std::size_t index);
   void mirror(std::size_t index, std::uint32_t bundle);
+  const StripBundle* same_on_other_side(std::size_t index, const StripBundle& bundle) const;
   void project_corners(const TreeWave& wave, double from, double to);
   bool meets_edge_alongside(const StripWave& wave) const;
 

@@ -148,7 +148,7 @@ ScatteringMatrix face_amplitude(const FringeKernels& kernels, const WedgeFace& f
 // Both sides of a half plane have the same fringe current, what is not geometrical optics being symmetric about its plane
 // (Sommerfeld 1896), unless the light runs along it.
 EdgeAmplitude edge_amplitude(const Wedge& wedge, const WedgeIncidence& incidence, const LookVectors& look) {
-  const int sides = wedge.is_border() && wedge.n == 2.0 && incidence.faces[0].lit != incidence.faces[1].lit ? 1 : 2;
+  const int sides = ends_sheet(wedge) && incidence.faces[0].lit != incidence.faces[1].lit ? 1 : 2;
   const double weight = wedge.share * incidence.weight * 2.0 / sides;
   EdgeAmplitude result;
   for (int side = 0; side < sides; ++side) {

@@ -27,6 +27,9 @@ inline constexpr double sin_cone_floor = 1e-6;
 /// A face is lit when s' . n_f < -1e-7: closer to grazing its tubes have no width either.
 inline constexpr double lit_threshold = 1e-7;
 
+/// Where the two sides of a sheet without thickness meet: their currents are alike.
+inline bool ends_sheet(const Wedge& wedge) { return wedge.is_border() && wedge.n == 2.0; }
+
 /// `incident` is s', the unit propagation direction. Looks exactly along a face: a half plane met edge-on from its open side is
 /// fully exposed, with both sides dark; an edge reached over a grazed face counts half, the mean of its lit and its hidden limit
 /// (zero for a half plane, whose two limits are the opposite currents of its two sides). So results are finite everywhere and
