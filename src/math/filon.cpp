@@ -12,7 +12,8 @@ constexpr int orders = lanes;
 // Below it the Gauss rule itself is exact to rounding.
 constexpr double slow = 0.3;
 
-// j_0 .. j_7: upwards where that is stable, else downwards from where they vanish (Miller), scaled by the larger of j_0 and j_1.
+// j_0 .. j_7: upwards where that is stable, else downwards from where they vanish, scaled by the larger of j_0 and j_1 (Miller).
+// Begun at the order N that is off by j_N(x) y_7(x) / (y_N(x) j_7(x)) of j_7, below rounding for N = 12 + 2x (DLMF 10.74(iv)).
 std::array<double, lanes> spherical_bessel(double x) {
   std::array<double, lanes> j;
   j[0] = std::sin(x) / x;
@@ -23,7 +24,7 @@ std::array<double, lanes> spherical_bessel(double x) {
   }
   std::array<double, lanes> shape;
   double above = 0.0, here = 1e-60;
-  for (int n = 30; n >= 0; --n) {
+  for (int n = 12 + static_cast<int>(2.0 * std::abs(x)); n >= 0; --n) {
     if (n < orders) shape[n] = here;
     const double below = (2 * n + 1) / x * here - above;
     above = here;

@@ -13,7 +13,7 @@ namespace raytube {
 namespace {
 
 // Sum of a b over all lanes, those of both halves side by side.
-Complex product(const Complexes& a, const Complexes& b) {
+[[gnu::always_inline]] inline Complex product(const Complexes& a, const Complexes& b) {
   constexpr std::size_t half = lanes / 2;
   static_assert(half == 4);
   double re[half], im[half];
