@@ -40,13 +40,21 @@ Complexes times(const Complexes& a, const Reals& b) {
   return result;
 }
 
-// a conj(b) c
-Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c) {
+// conj(a) b
+Complexes turned_back(const Complexes& a, const Complexes& b) {
   Complexes result;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double re = a.re[i] * b.re[i] + a.im[i] * b.im[i], im = a.im[i] * b.re[i] - a.re[i] * b.im[i];
-    result.re[i] = re * c.re[i] - im * c.im[i];
-    result.im[i] = re * c.im[i] + im * c.re[i];
+    result.re[i] = a.re[i] * b.re[i] + a.im[i] * b.im[i];
+    result.im[i] = a.re[i] * b.im[i] - a.im[i] * b.re[i];
+  }
+  return result;
+}
+
+Complexes times(const Complexes& a, const Complexes& b) {
+  Complexes result;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    result.re[i] = a.re[i] * b.re[i] - a.im[i] * b.im[i];
+    result.im[i] = a.re[i] * b.im[i] + a.im[i] * b.re[i];
   }
   return result;
 }
@@ -55,15 +63,15 @@ Complexes turned_back(const Complexes& a, const Complexes& b, const Complexes& c
 
 /// At the eight points of a rule: the rays, their waves, and beside a corner what these are multiplied with.
 struct EdgeWaveIntegral::Samples {
-  Reals path, root;  // lengths of rays, sqrt(k rho sin beta0)
+  Reals path;  // lengths of rays
   edge_row::BothWaves waves;
+  double scale;  // size of the integral
+  double sin_cone;
   bool beside_corner = false;
-  Complexes turn{}, step{};  // e^{j detour}, W of its root
-  double scale = 0.0;        // size of the integral
-  double sin_cone = 1.0;
+  Complexes step{};  // e^{-j detour} W of its root
 
   WaveIntegrals sum(const Complexes& rule, Complex phase) const {
-    const Complexes weights = beside_corner ? turned_back(rule, turn, step) : rule, by_path = times(weights, path);
+    const Complexes weights = beside_corner ? times(rule, step) : rule, by_path = times(weights, path);
     const Complex factor = scale * phase;
     return {sum_of(waves.incident, weights, by_path, factor, sin_cone),
             sum_of(waves.reflected, weights, by_path, factor, sin_cone)};
@@ -142,44 +150,37 @@ EdgeWaveIntegral::Ends EdgeWaveIntegral::ends(const RayRow& row, const RowStretc
 EdgeWaveIntegral::Samples EdgeWaveIntegral::sampled(const RayRow& row, const RowStretch& stretch, double k) const {
   if (stretch.side != 0.0) return beside_corner(row, stretch, k);
   const FilonRule& rule = FilonRule::get();
-  Samples samples;
-  samples.scale = stretch.half();
-  samples.sin_cone = sin_cone_;
   const double middle = stretch.middle(), half = stretch.half(), sin_cone = sin_cone_;
   const RayRow along = row;  // what the lanes read does not change as they are written
+  Reals path, root;          // root: sqrt(k rho sin beta0)
   for (std::size_t i = 0; i < lanes; ++i) {
-    samples.path[i] = std::max(along.path + along.path_rate * (middle + half * rule.at[i]), 0.0);
-    samples.root[i] = sin_cone * std::sqrt(k * samples.path[i]);
+    path[i] = std::max(along.path + along.path_rate * (middle + half * rule.at[i]), 0.0);
+    root[i] = sin_cone * std::sqrt(k * path[i]);
   }
   const auto all = [](std::size_t, double) { return std::pair(1.0, 1.0); };
-  samples.waves = edge_row::both_waves(terms_, samples.root, all);
-  return samples;
+  return {path, edge_row::both_waves(terms_, root, all), half, sin_cone};
 }
 
 EdgeWaveIntegral::Samples EdgeWaveIntegral::beside_corner(const RayRow& row, const RowStretch& stretch, double k) const {
   const FilonRule& rule = FilonRule::get();
-  Samples samples;
-  samples.beside_corner = true;
-  samples.scale = -stretch.side / 2 * stretch.half();
-  samples.sin_cone = sin_cone_;
-  Reals& path = samples.path;
-  Reals detour, x;
+  const double middle = stretch.middle(), half = stretch.half(), corner = stretch.corner;
+  const double sin_cone = sin_cone_, cos_cone = cos_cone_;
+  const RayRow all = row;  // what the lanes read does not change as they are written
+  Reals path, root, detour, x;
   for (std::size_t i = 0; i < lanes; ++i) {
-    const double arc_length = stretch.middle() + stretch.half() * rule.at[i], beyond = arc_length - stretch.corner;
-    path[i] = std::max(row.path + row.path_rate * arc_length, 0.0);
-    samples.root[i] = sin_cone_ * std::sqrt(k * path[i]);
-    const double along = beyond + path[i] * cos_cone_, across = path[i] * sin_cone_;
+    const double arc_length = middle + half * rule.at[i], beyond = arc_length - corner;
+    path[i] = std::max(all.path + all.path_rate * arc_length, 0.0);
+    root[i] = sin_cone * std::sqrt(k * path[i]);
+    const double along = beyond + path[i] * cos_cone, across = path[i] * sin_cone;
     const double both = std::sqrt(along * along + across * across) + path[i];
     const double longer =
-        both > 0.0 ? beyond * (along + path[i] * cos_cone_) / both : 0.0;  // the way over the corner is than the ray
-    detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone_ * longer) / both, 0.0) : 0.0;
+        both > 0.0 ? beyond * (along + path[i] * cos_cone) / both : 0.0;  // the way over the corner is than the ray
+    detour[i] = both > 0.0 ? std::max(k * beyond * (beyond - cos_cone * longer) / both, 0.0) : 0.0;
     x[i] = std::sqrt(detour[i]);
   }
   const auto share = [&](std::size_t lane, double z2) { return edge_row::shares_at_end(z2, detour[lane]); };
-  samples.turn = unit_phasors(detour);
-  samples.step = scaled_erfc(x);
-  samples.waves = edge_row::both_waves(terms_, samples.root, share);
-  return samples;
+  return {path, edge_row::both_waves(terms_, root, share),        -stretch.side / 2 * half, sin_cone,
+          true, turned_back(unit_phasors(detour), scaled_erfc(x))};
 }
 
 }  // namespace raytube
