@@ -36,14 +36,9 @@ bool have_same_kernels(const StripScene& scene, const WaveTree& tree, const Tree
          std::ranges::equal(bundles(a), bundles(b), are_same);
 }
 
-std::size_t first_like(const StripScene& scene, const WaveTree& tree, std::size_t wave) {
-  const TreeWave& here = tree.waves()[wave];
-  const auto same = [&](const TreeWave& each) { return have_same_kernels(scene, tree, each, here); };
-  return static_cast<std::size_t>(std::ranges::find_if(tree.waves().first(wave), same) - tree.waves().begin());
-}
-
 void find_faces(const StripScene& scene, StripLayout& strips) {
   strips.faces.clear();
+  const TreeWave* before = nullptr;
   for (const TreeWave& each : strips.tree.waves()) {
     const StripWave& wave = each.wave;
     const Wedge& wedge = scene.wedges[wave.source];
@@ -52,9 +47,10 @@ void find_faces(const StripScene& scene, StripLayout& strips) {
                             {},
                             face_projection(wave, scene.look),
                             0,
-                            first_like(scene, strips.tree, strips.faces.size())});
+                            before != nullptr && have_same_kernels(scene, strips.tree, *before, each)});
     if (wedge.thickness() > 0.0)
       strips.faces.back().thin.emplace(wedge, wave.source_face, wave.incidence, half_cosine, scene.look.scattered, each.direct);
+    before = &each;
   }
 }
 

@@ -31,7 +31,7 @@ struct WaveFace {
   std::optional<ThinPlateCorrection> thin;  // if it is a side of a thin plate
   FaceProjection projection;
   std::size_t kernels = 0;  // at one wavenumber
-  std::size_t like;         // the first wave that has the same kernels, or this one
+  bool as_before;           // whether they are those of the wave before
 };
 
 /// Where the numbers of a bundle are: one for each of its points, but a single kernel where its strips are alike.

@@ -163,7 +163,6 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
   const std::size_t waves = share.higher > 0.0 ? strips.tree.waves().size() : 1;
   const auto is_curved = [&](std::size_t w) { return w < curved.size() && !curved[w].empty(); };
   groups_.find(strips, waves, bins);
-  if (kernels_.size() < waves) kernels_.resize(waves);
   for (std::size_t begin = 0; begin < bins.nodes().size(); begin += block) {
     const std::span<const double> here = bins.nodes().subspan(begin, std::min(block, bins.nodes().size() - begin));
     for (std::size_t i = 0; i < here.size(); ++i) {
@@ -171,7 +170,7 @@ void StripRadiation::add(const StripLayout& strips, const CurvedWaves& curved, c
       find_phases(strips, look, here[i], amplitudes_[i].direct);
     }
     for (std::size_t w = 0; w < waves; ++w) {
-      if (!is_curved(w) && strips.faces[w].like == w) finder_.find(strips, w, here, groups_.splits(w), kernels_[w]);
+      if (!is_curved(w) && !strips.faces[w].as_before) finder_.find(strips, w, here, groups_.splits(w), kernels_);
       for (std::size_t node = begin; node < begin + here.size(); ++node) {
         if (is_curved(w))
           add_curved(strips, w, curved[w], node, bins);
@@ -207,14 +206,13 @@ void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::
                               PathBins& bins) {
   const TreeWave& here = strips.tree.waves()[wave];
   const WaveFace& face = strips.faces[wave];
-  const WaveKernelBatch& batch = kernels_[face.like];
   const std::size_t first = node % block * face.kernels;
   StripAmplitudes& amplitudes = amplitudes_[node % block];
   const double cos_cone = strips.tree.waves()[0].wave.incidence.cos_cone;
   const double counted = !here.direct ? 1.0 : wave > 0 ? share.higher : share.first ? 1.0 : 0.0;
   for (const StripGroup& group : groups_.of(wave)) {
     if (counted == 0.0) break;
-    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(batch, group.part), first};
+    const WaveKernels kernels{here, face.projection, groups_.rows(group), part_of(kernels_, group.part), first};
     ScatteringMatrix& sum = bins.at(group.bin, node);
     if (here.direct)
       radiate_direct(kernels, cos_cone, strips.incident, counted, amplitudes.direct, sum);
@@ -223,7 +221,7 @@ void StripRadiation::add_wave(const StripLayout& strips, std::size_t wave, std::
   }
   const bool is_last = share.higher == 0.0 || wave + 1 == strips.tree.waves().size();
   if (!here.wave.goes_on() || is_last) return;
-  const WaveKernels kernels{here, face.projection, strips.rows_of(here), batch.whole, first};
+  const WaveKernels kernels{here, face.projection, strips.rows_of(here), kernels_.whole, first};
   if (here.direct)
     pass_on_direct(kernels, strips.incident, share.higher, amplitudes);
   else

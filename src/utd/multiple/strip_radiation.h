@@ -42,7 +42,7 @@ class StripRadiation {
 
   StripGroups groups_;
   StripWaveKernels finder_;
-  std::vector<WaveKernelBatch> kernels_;           // [wave]: those at a block of wavenumbers, but of waves like one before
+  WaveKernelBatch kernels_;                        // those of a wave at a block of wavenumbers
   std::array<StripAmplitudes, block> amplitudes_;  // those of all waves at that block
 };
 
