@@ -1,6 +1,6 @@
 #include "math/complex_columns.h"
 
-#include <algorithm>
+#include <cstring>
 
 namespace raytube {
 
@@ -38,14 +38,14 @@ void ComplexColumn::make_room(std::size_t size) {
 }
 
 void store(const Complexes& values, ComplexColumn& column, std::size_t first) {
-  std::copy_n(values.re.value, lanes, column.re.data() + first);
-  std::copy_n(values.im.value, lanes, column.im.data() + first);
+  std::memcpy(column.re.data() + first, values.re.value, sizeof(Reals));
+  std::memcpy(column.im.data() + first, values.im.value, sizeof(Reals));
 }
 
 Complexes load(const ComplexColumn& column, std::size_t first) {
   Complexes result;
-  std::copy_n(column.re.data() + first, lanes, result.re.value);
-  std::copy_n(column.im.data() + first, lanes, result.im.value);
+  std::memcpy(result.re.value, column.re.data() + first, sizeof(Reals));
+  std::memcpy(result.im.value, column.im.data() + first, sizeof(Reals));
   return result;
 }
 
