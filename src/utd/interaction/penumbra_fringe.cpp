@@ -109,7 +109,8 @@ struct PenumbraFringe::Source {
   const LitEdgePiece& piece;
   StraightEdge edge;
   RaySource wave;
-  explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(source_of(*lit.wave)) {}
+  EdgeRays rays;
+  explicit Source(const LitEdgePiece& lit) : piece(lit), edge(lit_edge(lit)), wave(source_of(*lit.wave)), rays(edge, wave) {}
 };
 
 /// An edge that the source may light.
@@ -180,7 +181,7 @@ bool PenumbraFringe::ends_along(const LitEdgePiece& lit, const LitEdgePiece& sou
   const Source from(source);
   const dvec3 middle = lit.edge->origin + (lit.from + lit.to) / 2 * lit.edge->tangent;
   if (share_a_face(*source.edge->wedge, *lit.edge->wedge)) return false;
-  const std::optional<EdgeRay> ray = find_edge_ray(from.edge, from.wave, middle);
+  const std::optional<EdgeRay> ray = from.rays.to(middle);
   return ray && boundary_at(from.edge.n, ray->source_angle, ray->observation_angle) &&
          glm::length(ray->leaving - lit.wave->about(middle).direction) < 2 * rounding_of_files;
 }
@@ -241,7 +242,7 @@ std::optional<PenumbraFringe::Panel> PenumbraFringe::panel_on(const Source& sour
 
 // The wave is taken as plane about a point of the rim, and its fringe current there as that of endless faces.
 std::optional<PenumbraFringe::RimPoint> PenumbraFringe::point_on(const Source& source, const Rim& rim, const dvec3& place) const {
-  const std::optional<EdgeRay> reaching = find_edge_ray(source.edge, source.wave, place);
+  const std::optional<EdgeRay> reaching = source.rays.to(place);
   if (!reaching) return std::nullopt;
   const Wedge& wedge = *rim.axis.wedge;
   EdgeRay ray = *reaching;

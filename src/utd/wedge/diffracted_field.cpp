@@ -13,13 +13,6 @@ namespace raytube {
 
 namespace {
 
-// A point relative to the edge: rho, z along it, and the angle from face 0, negative in the metal.
-struct Cylindrical {
-  double distance;
-  double along;
-  double angle;
-};
-
 double angle_from_face(const StraightEdge& edge, double x, double y) {
   const double last = edge.n * pi, turned = std::atan2(y, x), angle = turned < 0.0 ? turned + 2 * pi : turned;
   if (angle <= last) return angle;
@@ -27,17 +20,19 @@ double angle_from_face(const StraightEdge& edge, double x, double y) {
   return 2 * pi - angle < rounding_guard ? 0.0 : -1.0;
 }
 
-Cylindrical cylindrical(const StraightEdge& edge, const dvec3& offset) {
+AboutEdge cylindrical(const StraightEdge& edge, const dvec3& offset) {
   const double x = glm::dot(offset, edge.into_face), y = glm::dot(offset, edge.normal);
-  return {std::hypot(x, y), glm::dot(offset, edge.tangent()), angle_from_face(edge, x, y)};
+  const double distance = std::hypot(x, y);
+  return {distance, glm::dot(offset, edge.tangent()), angle_from_face(edge, x, y),
+          x / distance * edge.into_face + y / distance * edge.normal};
 }
 
 // Where the source is; for a plane wave, the direction towards it.
-Cylindrical cylindrical(const StraightEdge& edge, const RaySource& source) {
+AboutEdge cylindrical(const StraightEdge& edge, const RaySource& source) {
   return cylindrical(edge, source.spreading == Spreading::plane ? -source.direction : source.position - edge.origin);
 }
 
-void require(const Cylindrical& point, const char* what) {
+void require(const AboutEdge& point, const char* what) {
   if (!(point.distance > 0.0))
     throw InputError(std::string("diffracted field: the ") + what + " lies on the edge's line; move it off the edge");
   if (point.angle < 0.0)
@@ -61,31 +56,31 @@ struct Unfolded {
   double parameter;  // L
 };
 
-Unfolded unfold_point(const Cylindrical& source, const Cylindrical& observer) {
+Unfolded unfold_point(const AboutEdge& source, const AboutEdge& observer) {
   const double across = source.distance + observer.distance, along = observer.along - source.along;
   const double path = std::hypot(across, along), arc_length = source.along + along * source.distance / across;
   return {arc_length, along / path, across / path, path, 1 / path, source.distance * observer.distance / path};
 }
 
-Unfolded unfold_line(const Cylindrical& source, const Cylindrical& observer) {
+Unfolded unfold_line(const AboutEdge& source, const AboutEdge& observer) {
   const double across = source.distance + observer.distance;
   return {observer.along, 0.0, 1.0, across, 1 / std::sqrt(across), source.distance * observer.distance / across};
 }
 
-Unfolded unfold_plane(const StraightEdge& edge, const RaySource& wave, const Cylindrical& source, const Cylindrical& observer) {
+Unfolded unfold_plane(const StraightEdge& edge, const RaySource& wave, const AboutEdge& source, const AboutEdge& observer) {
   const double cosine = -source.along, sine = source.distance, length = observer.distance / sine;
   const double start = glm::dot(wave.direction, edge.origin - wave.position);
   return {observer.along - length * cosine, cosine, sine, start + observer.along * cosine + observer.distance * sine, 1.0,
           observer.distance * sine};
 }
 
-Unfolded unfold(const StraightEdge& edge, const RaySource& wave, const Cylindrical& source, const Cylindrical& observer) {
+Unfolded unfold(const StraightEdge& edge, const RaySource& wave, const AboutEdge& source, const AboutEdge& observer) {
   if (wave.spreading == Spreading::point) return unfold_point(source, observer);
   if (wave.spreading == Spreading::line) return unfold_line(source, observer);
   return unfold_plane(edge, wave, source, observer);
 }
 
-double detour(const RaySource& wave, const Cylindrical& source, const Cylindrical& observer, double arc_length, double end) {
+double detour(const RaySource& wave, const AboutEdge& source, const AboutEdge& observer, double arc_length, double end) {
   const double step = end - arc_length;
   if (std::isinf(step)) return std::abs(step);
   const double after = excess(observer.distance, arc_length - observer.along, step);
@@ -110,22 +105,22 @@ EndWave end_wave(double squared, bool inside, Complex value) {
   return {squared, inside, 0.5 * std::polar(1.0, -squared) * value};
 }
 
-bool is_reached(const Cylindrical& point) { return point.distance > 0.0 && point.angle >= 0.0; }
+bool is_reached(const AboutEdge& point) { return point.distance > 0.0 && point.angle >= 0.0; }
 
-EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const Cylindrical& from, const Cylindrical& to) {
+EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const AboutEdge& from, const AboutEdge& to) {
   const Unfolded u = unfold(edge, source, from, to);
+  const dvec3 tangent = edge.tangent();
   EdgeRay ray;
   ray.arc_length = u.arc_length;
-  ray.point = edge.origin + u.arc_length * edge.tangent();
+  ray.point = edge.origin + u.arc_length * tangent;
   ray.path = u.path;
   ray.spread = u.spread;
   ray.source_angle = from.angle;
   ray.observation_angle = to.angle;
   ray.sin_cone = u.sin_cone;
   ray.distance_parameter = u.parameter;
-  const auto outwards = [&](double angle) { return std::cos(angle) * edge.into_face + std::sin(angle) * edge.normal; };
-  ray.arriving = u.cos_cone * edge.tangent() - u.sin_cone * outwards(from.angle);
-  ray.leaving = u.cos_cone * edge.tangent() + u.sin_cone * outwards(to.angle);
+  ray.arriving = u.cos_cone * tangent - u.sin_cone * from.outwards;
+  ray.leaving = u.cos_cone * tangent + u.sin_cone * to.outwards;
   ray.detours = {detour(source, from, to, u.arc_length, edge.begin), detour(source, from, to, u.arc_length, edge.end)};
   return ray;
 }
@@ -146,18 +141,22 @@ bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3
 }
 
 EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
-  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
+  const AboutEdge from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
   require(edge, source);
   require(from, "source");
   require(to, "observer");
   return edge_ray(edge, source, from, to);
 }
 
-std::optional<EdgeRay> find_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer) {
-  const Cylindrical from = cylindrical(edge, source), to = cylindrical(edge, observer - edge.origin);
-  if (!is_reached(from) || !is_reached(to)) return std::nullopt;
-  return edge_ray(edge, source, from, to);
+EdgeRays::EdgeRays(const StraightEdge& edge, const RaySource& source)
+    : edge_(edge), source_(source), from_(cylindrical(edge, source)) {}
+
+std::optional<EdgeRay> EdgeRays::to(const dvec3& observer) const {
+  const AboutEdge to = cylindrical(edge_, observer - edge_.origin);
+  if (!is_reached(from_) || !is_reached(to)) return std::nullopt;
+  return edge_ray(edge_, source_, from_, to);
 }
+
 DiffractedWave diffracted_wave(const StraightEdge& edge, const EdgeRay& ray, double wavenumber) {
   const double distance = std::sqrt(wavenumber * ray.distance_parameter);
   const EdgeWaveTerms terms = edge_wave_terms(edge.n, ray.source_angle, ray.observation_angle);

@@ -49,8 +49,26 @@ EdgeRay edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3&
 /// False if source or observer lies in the metal or on the edge's line, or a plane wave comes along it: there is no ray then.
 bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer);
 
-/// The ray if there is one; the edge and a line source must be as edge_ray() wants them.
-std::optional<EdgeRay> find_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3& observer);
+/// A point about an edge's line: rho and z [m], and the angle from face 0 [rad], negative in the metal.
+struct AboutEdge {
+  double distance;
+  double along;
+  double angle;
+  dvec3 outwards;  // unit, from the line to the point
+};
+
+/// The rays of one source over one edge; both must be as edge_ray() wants them.
+class EdgeRays {
+ public:
+  EdgeRays(const StraightEdge& edge, const RaySource& source);
+  /// None where has_edge_ray() is false. `observer` in the coordinates of the edge [m].
+  std::optional<EdgeRay> to(const dvec3& observer) const;
+
+ private:
+  StraightEdge edge_;
+  RaySource source_;
+  AboutEdge from_;
+};
 
 /// The diffracted ray for a unit scalar wave that vanishes (soft) or has no slope (hard) on the wedge.
 struct DiffractedWave {
