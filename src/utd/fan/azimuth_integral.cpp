@@ -65,23 +65,30 @@ class Integrator {
   AzimuthIntegral take() { return std::move(result_); }
 
  private:
-  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. Where the phase is steepest counts, for the
-  // Legendre series of e^{j phi(x)}, x from -1 to 1, ends beyond n = max |phi'| (stationary phase; of a linear phase the terms
-  // are j_n(phi'), DLMF 10.19(iii)): by the parabola through the phases at three azimuths. Much of the way round an edge rays
-  // meet nothing.
+  // A polynomial of degree n follows e^{jx} over 2n radians; some more make it exact. So it does where the phase is steepest: of
+  // a phase that changes by up to a in half a panel, as the parabola through three azimuths does, the Legendre series ends beyond
+  // n = a, like j_n(a) (DLMF 10.19(iii)). Of both ends of the range that counts which changes less: where rays come to meet
+  // another face, one of them jumps. Much of the way round an edge rays meet nothing.
   std::optional<std::size_t> first_rule(double from, double to) const {
-    constexpr double beside = 0.47;  // how far the outer azimuths are from the middle, a share of the panel
-    std::array<std::optional<PhaseRange>, 3> at;
-    for (int i = 0; i < 3; ++i) at[i] = density_.survey(from + (0.5 + (i - 1) * beside) * (to - from));
+    constexpr std::array shares = {0.03, 0.5, 0.97};
+    std::array<std::optional<PhaseRange>, shares.size()> at;
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = density_.survey(from + shares[i] * (to - from));
     if (std::ranges::none_of(at, [](const auto& range) { return range.has_value(); })) return {};
-    double steepest = 0.0;
-    for (double PhaseRange::*end : {&PhaseRange::low, &PhaseRange::high}) {
-      const auto change = [&](int i) { return at[i] && at[i + 1] ? (*at[i + 1]).*end - (*at[i]).*end : 0.0; };
-      const double first = change(0), last = change(1);
-      steepest = std::max(steepest, (std::abs(first + last) / 2 + std::abs(last - first)) / (2 * beside));
+    std::array<PhaseRange, 2> change{};
+    for (std::size_t i = 0; i < 2; ++i)
+      if (at[i] && at[i + 1]) change[i] = {at[i + 1]->low - at[i]->low, at[i + 1]->high - at[i]->high};
+    const double bend = at[0] && at[1] && at[2] ? 0.5 : 0.0, half = 2 * (shares[1] - shares[0]);
+    double turned = 0.0, steepest = 0.0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      turned += std::max(std::abs(change[i].low), std::abs(change[i].high));
+      const auto slope = [&](double PhaseRange::*end) {
+        return std::abs((1 + bend) * change[i].*end - bend * change[1 - i].*end) / half;
+      };
+      steepest = std::max(steepest, std::min(slope(&PhaseRange::low), slope(&PhaseRange::high)));
     }
     // A millionth of a point keeps the first rule the same on bodies of whole wavelengths, whatever the rounding.
-    return std::ranges::lower_bound(counts, 5.0 + steepest - 1e-6) - counts.begin();
+    const double points = 5.0 + std::max(turned / 2, steepest) - 1e-6;
+    return std::ranges::lower_bound(counts, points) - counts.begin();
   }
 
   void sample(const Rule& rule, double from, double to) {
