@@ -1,6 +1,7 @@
 #include "sbr/visible/beam_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace raytube {
@@ -29,9 +30,9 @@ BeamVisibility::BeamVisibility(const FaceTree& tree, const Tracer& tracer)
 void BeamVisibility::of_faces(const Beam& incident, std::span<const std::uint32_t> faces, std::vector<VisiblePart>& parts) {
   const BeamView view = view_of(incident);
   gather(view, faces, in_view_);
-  if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  if (faces.size() == tree_.faces().size() && in_view_.count <= few) return uncover_in_view(parts);
   waiting_.clear();
-  for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
+  for (std::size_t i = 0; i < in_view_.count; ++i) waiting_.push_back(&in_view_.items[i]);
   drop_hidden(view);
   uncover_in_groups(view, parts);
 }
@@ -52,7 +53,9 @@ void BeamVisibility::drop_hidden(const BeamView& view) {
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     const ProjectedFace& c = *waiting_[i];
     const std::uint32_t first = hits_[i] ? tree_.face_of(hits_[i].triangle) : c.face;
-    if (first == c.face || !projector_.project(view, first, first_) || !hides_all(first_, c, c.outline)) waiting_[kept++] = &c;
+    if (first == c.face || !projector_.project(view, first, first_) ||
+        !hides_all({&first_, projector_.behind(first_, c)}, c.outline))
+      waiting_[kept++] = &c;
   }
   waiting_.resize(kept);
 }
@@ -81,9 +84,9 @@ void BeamVisibility::meet(const BeamView& view, double farthest, std::vector<Vis
   tree_.collect(prism_of(view.beam, view.source, view.box, view.region, farthest, tree_.mesh().radius), found_);
   if (found_.empty()) return;
   gather_nearest_first(view, farthest);
-  if (in_view_.count <= few) return uncover(in_view_, in_view_, parts);
+  if (in_view_.count <= few) return uncover_in_view(parts);
   waiting_.clear();
-  for (const ProjectedFace& c : in_view_.used()) waiting_.push_back(&c);
+  for (std::size_t i = 0; i < in_view_.count; ++i) waiting_.push_back(&in_view_.items[i]);
   uncover_in_groups(view, parts);
 }
 
@@ -109,6 +112,8 @@ void BeamVisibility::gather_nearest_first(const BeamView& view, double farthest)
 }
 
 void BeamVisibility::uncover_in_groups(const BeamView& view, std::vector<VisiblePart>& parts) {
+  projected_.clear();
+  in_front_.count = 0;
   const std::span<const ProjectedFace* const> all = waiting_;
   for (std::size_t first = 0; first < all.size(); first += group)
     uncover_group(view, all.subspan(first, std::min(group, all.size() - first)), parts);
@@ -129,20 +134,27 @@ void BeamVisibility::uncover_group(const BeamView& view, std::span<const Project
     return uncover_group(view, faces.subspan(faces.size() / 2), parts);
   }
   tree_.collect(prism_of(view.beam, view.source, box, nullptr, farthest + depth_margin_, tree_.mesh().radius), found_in_front_);
-  BeamView narrowed = view;
-  narrowed.box = box;
-  gather(narrowed, found_in_front_, in_front_);
   others_.clear();
-  for (const ProjectedFace& other : in_front_.used()) others_.push_back(&other);
-  const std::size_t all = others_.size();
-  for (const ProjectedFace* c : faces) uncover(*c, c->outline, 0, all, patience, parts);
+  for (const std::uint32_t face : found_in_front_) {
+    const ProjectedFace* other = projected(view, face);
+    if (other && other->box.overlaps(box, projector_.length_rounding())) others_.push_back(other);
+  }
+  for (const ProjectedFace* c : faces) uncover(*c, parts);
 }
 
-void BeamVisibility::uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts) {
+// A face as the view has it, for the groups that are uncovered; null if the beam meets none of it.
+const ProjectedFace* BeamVisibility::projected(const BeamView& view, std::uint32_t face) {
+  if (!projector_.faces_beam(view, face)) return nullptr;
+  const auto [known, is_new] = projected_.try_emplace(face, nullptr);
+  if (is_new && projector_.project(view, face, in_front_.next())) known->second = &in_front_.items[in_front_.count++];
+  return known->second;
+}
+
+// Compares the faces in view each with each.
+void BeamVisibility::uncover_in_view(std::vector<VisiblePart>& parts) {
   others_.clear();
-  for (const ProjectedFace& other : others.used()) others_.push_back(&other);
-  const std::size_t all = others_.size();
-  for (const ProjectedFace& c : candidates.used()) uncover(c, c.outline, 0, all, patience, parts);
+  for (std::size_t i = 0; i < in_view_.count; ++i) others_.push_back(&in_view_.items[i]);
+  for (std::size_t i = 0; i < in_view_.count; ++i) uncover(in_view_.items[i], parts);
 }
 
 void BeamVisibility::gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool) {
@@ -151,52 +163,59 @@ void BeamVisibility::gather(const BeamView& view, std::span<const std::uint32_t>
     if (projector_.project(view, face, pool.next())) ++pool.count;
 }
 
-// What is left of `outline`, a part of `c`, once those of others_[begin, end) that stand in front have hidden theirs.
-void BeamVisibility::uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
-                             std::vector<VisiblePart>& parts) {
-  const Bounds box = bounds(outline);
-  const std::size_t first = others_.size();
-  for (std::size_t i = begin; i < end; ++i)
-    if (others_[i]->box.overlaps(box, projector_.length_rounding()) && may_hide(*others_[i], c, box))
-      others_.push_back(others_[i]);
-  const std::size_t last = others_.size();
-  if (last - first > many && tries > 0) {
-    halve(c, outline, first, last, last - first < end - begin ? patience : tries - 1, parts);
-  } else {
-    pieces_.assign(1, outline);
-    for (std::size_t i = first; i < last && !pieces_.empty(); ++i) subtract(*others_[i], c);
-    for (const ConvexPolygon& piece : pieces_) emit(c, piece, parts);
+// What is left of a face once those of others_ that stand in front have hidden theirs.
+void BeamVisibility::uncover(const ProjectedFace& c, std::vector<VisiblePart>& parts) {
+  occluders_.clear();
+  for (const ProjectedFace* front : others_) {
+    if (front->face == c.face || front->depths.low > c.depths.high) continue;
+    if (!front->box.overlaps(c.box, projector_.length_rounding())) continue;
+    if (projector_.separates(front->outline, c.outline) || projector_.separates(c.outline, front->outline)) continue;
+    const Affine behind = projector_.behind(*front, c);
+    if (range(common(front->box, c.box), behind).high > 0.0) occluders_.push_back({front, behind});
   }
-  others_.resize(first);
+  uncover(c, c.outline, 0, occluders_.size(), others_.size(), patience, parts);
+}
+
+// What occluders_[begin, end) leave of `outline`, a part of `c`. What it was cut from had `before` of them.
+void BeamVisibility::uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end,
+                             std::size_t before, int tries, std::vector<VisiblePart>& parts) {
+  if (end - begin > many && tries > 0) return halve(c, outline, begin, end, end - begin < before ? patience : tries - 1, parts);
+  pieces_.assign(1, outline);
+  for (std::size_t i = begin; i < end && !pieces_.empty(); ++i) subtract(occluders_[i]);
+  for (const ConvexPolygon& piece : pieces_) emit(c, piece, parts);
 }
 
 void BeamVisibility::halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
                            std::vector<VisiblePart>& parts) {
   for (std::size_t i = begin; i < end; ++i)
-    if (hides_all(*others_[i], c, outline)) return;
+    if (hides_all(occluders_[i], outline)) return;
   const Bounds box = bounds(outline);
-  const dvec2 size = box.high - box.low, half = 0.5 * (box.low + box.high);
-  ConvexPolygon low, high;
-  cut(outline, size.x > size.y ? Affine{-half.x, 1.0, 0.0} : Affine{-half.y, 0.0, 1.0}, projector_.length_rounding(), high, low);
-  if (!low.empty()) uncover(c, low, begin, end, tries, parts);
-  if (!high.empty()) uncover(c, high, begin, end, tries, parts);
+  const dvec2 size = box.high - box.low, middle = 0.5 * (box.low + box.high);
+  std::array<ConvexPolygon, 2> halves;
+  cut(outline, size.x > size.y ? Affine{-middle.x, 1.0, 0.0} : Affine{-middle.y, 0.0, 1.0}, projector_.length_rounding(),
+      halves[1], halves[0]);
+  for (const ConvexPolygon& half : halves) {
+    if (half.empty()) continue;
+    const Bounds within = bounds(half);
+    const std::size_t first = occluders_.size();
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto [front, behind] = occluders_[i];
+      if (front->box.overlaps(within, projector_.length_rounding()) && range(common(front->box, within), behind).high > 0.0)
+        occluders_.push_back({front, behind});
+    }
+    uncover(c, half, first, occluders_.size(), end - begin, tries, parts);
+    occluders_.resize(first);
+  }
 }
 
-bool BeamVisibility::may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const {
-  if (front.face == c.face || front.depths.low > c.depths.high) return false;
-  if (projector_.separates(front.outline, c.outline) || projector_.separates(c.outline, front.outline)) return false;
-  return range(common(front.box, box), projector_.behind(front, c)).high > 0.0;
+bool BeamVisibility::hides_all(const Occluder& front, const ConvexPolygon& outline) const {
+  return range(outline, front.behind).low >= 0.0 && projector_.fills(*front.face, outline);
 }
 
-bool BeamVisibility::hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const {
-  return range(outline, projector_.behind(front, c)).low >= 0.0 && projector_.fills(front, outline);
-}
-
-void BeamVisibility::subtract(const ProjectedFace& front, const ProjectedFace& c) {
-  const Affine order = projector_.behind(front, c);
+void BeamVisibility::subtract(const Occluder& front) {
   remaining_.clear();
   for (ConvexPolygon& piece : pieces_)
-    if (!subtract(front, order, piece)) remaining_.push_back(std::move(piece));
+    if (!subtract(*front.face, front.behind, piece)) remaining_.push_back(std::move(piece));
   std::swap(pieces_, remaining_);
 }
 

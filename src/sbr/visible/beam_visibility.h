@@ -5,6 +5,9 @@
 // beam [m]; a face's depth is affine in the launch coordinates, so the order of two faces is the sign of an affine function.
 #pragma once
 
+#include <deque>
+#include <unordered_map>
+
 #include "mesh/model/face_tree.h"
 #include "mesh/trace/tracer.h"
 #include "sbr/visible/projected_face.h"
@@ -46,15 +49,19 @@ class BeamVisibility {
   double sliver_area() const { return sliver_area_; }
 
  private:
-  // Projected faces, kept with their memory.
+  // Projected faces, kept with their memory, each where it is.
   struct Pool {
-    std::vector<ProjectedFace> items;
+    std::deque<ProjectedFace> items;
     std::size_t count = 0;
     ProjectedFace& next() {
       if (count == items.size()) items.emplace_back();
       return items[count];
     }
-    std::span<const ProjectedFace> used() const { return {items.data(), count}; }
+  };
+  // A face that may hide the one in question, and how far that one lies behind it [m].
+  struct Occluder {
+    const ProjectedFace* face;
+    Affine behind;
   };
 
   void meet(const BeamView& view, double farthest, std::vector<VisiblePart>& parts);
@@ -63,14 +70,15 @@ class BeamVisibility {
   void uncover_group(const BeamView& view, std::span<const ProjectedFace* const> faces, std::vector<VisiblePart>& parts);
   void gather(const BeamView& view, std::span<const std::uint32_t> faces, Pool& pool);
   void gather_nearest_first(const BeamView& view, double farthest);
-  void uncover(const Pool& candidates, const Pool& others, std::vector<VisiblePart>& parts);
-  void uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
-               std::vector<VisiblePart>& parts);
+  const ProjectedFace* projected(const BeamView& view, std::uint32_t face);
+  void uncover_in_view(std::vector<VisiblePart>& parts);
+  void uncover(const ProjectedFace& c, std::vector<VisiblePart>& parts);
+  void uncover(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, std::size_t before,
+               int tries, std::vector<VisiblePart>& parts);
   void halve(const ProjectedFace& c, const ConvexPolygon& outline, std::size_t begin, std::size_t end, int tries,
              std::vector<VisiblePart>& parts);
-  bool may_hide(const ProjectedFace& front, const ProjectedFace& c, const Bounds& box) const;
-  bool hides_all(const ProjectedFace& front, const ProjectedFace& c, const ConvexPolygon& outline) const;
-  void subtract(const ProjectedFace& front, const ProjectedFace& c);
+  bool hides_all(const Occluder& front, const ConvexPolygon& outline) const;
+  void subtract(const Occluder& front);
   bool subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece);
   void emit(const ProjectedFace& c, const ConvexPolygon& piece, std::vector<VisiblePart>& parts);
 
@@ -85,7 +93,9 @@ class BeamVisibility {
   std::vector<Ray> rays_;
   std::vector<Hit> hits_;
   std::vector<std::uint32_t> found_, found_in_front_;
-  std::vector<const ProjectedFace*> others_;  // faces that may hide the one in question, one list after the other
+  std::unordered_map<std::uint32_t, const ProjectedFace*> projected_;  // faces asked about, and what in_front_ has of them
+  std::vector<const ProjectedFace*> others_;                           // faces that may hide the ones in question
+  std::vector<Occluder> occluders_;  // of the face in question and of its parts, one list after the other
   std::vector<ConvexPolygon> pieces_, remaining_;
   std::vector<std::pair<double, std::uint32_t>> by_depth_;
   ConvexPolygon inside_, outside_, rest_;
