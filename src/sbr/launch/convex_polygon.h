@@ -58,6 +58,10 @@ inline Range range(const ConvexPolygon& polygon, const Affine& f) {
   return r;
 }
 Range range(const Bounds& box, const Affine& f);
+/// Whether f exceeds `value` somewhere in the polygon.
+inline bool reaches_beyond(const ConvexPolygon& polygon, const Affine& f, double value) {
+  return std::ranges::any_of(polygon, [&](const Corner& corner) { return f(corner.at) > value; });
+}
 
 /// The part [low, high] of the way from `a` to `b` that lies in the box.
 Range part_within(const Bounds& box, const dvec2& a, const dvec2& b);

@@ -221,7 +221,7 @@ void BeamVisibility::subtract(const Occluder& front) {
 
 // Puts what `front` leaves of the piece in `remaining_`; false if it leaves all of it.
 bool BeamVisibility::subtract(const ProjectedFace& front, const Affine& order, const ConvexPolygon& piece) {
-  if (!front.box.overlaps(bounds(piece), projector_.length_rounding()) || range(piece, order).high <= 0.0) return false;
+  if (!front.box.overlaps(bounds(piece), projector_.length_rounding()) || !reaches_beyond(piece, order, 0.0)) return false;
   if (projector_.separates(piece, front.outline) || projector_.separates(front.outline, piece)) return false;
   const std::size_t before = remaining_.size();
   const auto leaves_all = [&] {

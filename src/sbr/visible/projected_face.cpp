@@ -68,6 +68,7 @@ bool FaceProjector::set_outline(const BeamView& view, ProjectedFace& f) {
   if (!box.overlaps(view.box, length_rounding_) || (view.region && lies_beside(*view.region))) return false;
   set_corners(f.outline, corners_);
   f.edges.clear();
+  f.edges.reserve(f.outline.size() + 1);
   for (const Corner& corner : f.outline) f.edges.push_back(corner.edge);
   return true;
 }
@@ -97,7 +98,8 @@ bool FaceProjector::clip_to_region(ConvexPolygon& outline) {
 }
 
 bool FaceProjector::separates(const ConvexPolygon& polygon, const ConvexPolygon& other) const {
-  return std::ranges::any_of(polygon, [&](const Corner& corner) { return range(other, corner.edge).high <= length_rounding_; });
+  return std::ranges::any_of(polygon,
+                             [&](const Corner& corner) { return !reaches_beyond(other, corner.edge, length_rounding_); });
 }
 
 // Only what lies ahead of the surface the beam leaves, by more than rounding, is met: see ExactHit::ahead.
@@ -121,7 +123,9 @@ Affine FaceProjector::behind(const ProjectedFace& front, const ProjectedFace& f)
 }
 
 bool FaceProjector::fills(const ProjectedFace& f, const ConvexPolygon& outline) const {
-  return std::ranges::all_of(f.edges, [&](const Affine& edge) { return range(outline, edge).low >= -length_rounding_; });
+  return std::ranges::all_of(f.edges, [&](const Affine& edge) {
+    return std::ranges::all_of(outline, [&](const Corner& corner) { return edge(corner.at) >= -length_rounding_; });
+  });
 }
 
 bool FaceProjector::is_sliver(const ConvexPolygon& polygon) const {
