@@ -51,7 +51,7 @@ struct Tracer::Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  void closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const;
+  void closest(std::span<const Ray> rays, int at_a_time, std::span<std::uint32_t> found) const;
   void any(std::span<const Ray> rays, const IgnoredPatches& ignored, std::span<std::uint32_t> found) const;
   Proposal propose_beyond(const Ray& ray, const IgnoredPatches& ignored, std::span<const std::uint32_t> refused) const;
   std::uint32_t decide(const Ray& ray, const IgnoredPatches& ignored, Proposal proposal) const;
@@ -202,14 +202,14 @@ float Tracer::Scene::safe_side(const ProxyTriangles& proxies, std::uint32_t tria
 }
 
 // What Embree says in single precision for one packet, and the final word on the rays it can be wrong about.
-void Tracer::Scene::closest(std::span<const Ray> rays, std::span<std::uint32_t> found) const {
+void Tracer::Scene::closest(std::span<const Ray> rays, int at_a_time, std::span<std::uint32_t> found) const {
   const IgnoredPatches& ignored = nothing_ignored;
   const bool leaves_surface = std::ranges::any_of(rays, [](const Ray& ray) { return ray.source_patch != no_index; });
   auto context = make_context<QueryContext>(*this, rays.data(), ignored);
   if (leaves_surface) context.filter = refuse;
   embree::Packet packet;
   embree::load(packet, rays, scale, false);
-  embree::intersect(scene, context, width, packet);
+  embree::intersect(scene, context, at_a_time, packet);
   for (std::size_t lane = 0; lane < rays.size(); ++lane) {
     found[lane] = embree::is_hit(packet, lane) ? packet.rays.hit.primID[lane] : no_index;
     if (!embree::is_hit(packet, lane)) continue;
@@ -295,11 +295,11 @@ std::span<const std::uint32_t> Tracer::near_coincident(std::uint32_t triangle) c
   return scene_->exact->near_coincident(triangle);
 }
 
-void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const {
+void Tracer::closest_hits(std::span<const Ray> rays, std::span<Hit> hits, bool side_by_side) const {
   std::array<std::uint32_t, embree::packet_width> found;
   for (std::size_t first = 0; first < rays.size(); first += embree::packet_width) {
     const std::size_t count = std::min(embree::packet_width, rays.size() - first);
-    scene_->closest(rays.subspan(first, count), found);
+    scene_->closest(rays.subspan(first, count), side_by_side && count > 1 ? scene_->width : 1, found);
     for (std::size_t i = 0; i < count; ++i) hits[first + i] = scene_->exact->hit(rays[first + i], found[i]);
   }
 }

@@ -27,8 +27,9 @@ class Tracer {
   const TriangleMesh& mesh() const;
 
   /// The nearest surface each ray meets: in double precision, borders included, ties to the lower index - whatever Embree makes
-  /// of it in single precision with the instruction set at hand. Thread-safe. hits.size() == rays.size().
-  void closest_hits(std::span<const Ray> rays, std::span<Hit> hits) const;
+  /// of it in single precision with the instruction set at hand. Thread-safe. hits.size() == rays.size(). Rays that do not run
+  /// side by side go to Embree alone, which is then faster.
+  void closest_hits(std::span<const Ray> rays, std::span<Hit> hits, bool side_by_side = true) const;
 
   /// The nearest triangle that the half line from `origin` along `direction` meets, other than those of some patches; no_index if
   /// there is none. Thread-safe.

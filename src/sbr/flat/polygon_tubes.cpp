@@ -70,7 +70,7 @@ struct FaceTrace {
     for (const PolygonTube& tube : tubes_)
       if (tube.course == Course::together) send(tube, point_of_twin(tube));
     hits_.resize(rays_.size());
-    look_.tracer.closest_hits(rays_, hits_);
+    look_.tracer.closest_hits(rays_, hits_, false);
     sums_.rays += rays_.size();
   }
 
