@@ -75,6 +75,31 @@ dvec2 zero_between(const dvec2& p, double positive, const dvec2& q, double negat
   return p + (positive / (positive - negative)) * (q - p);
 }
 
+// The part of a polygon where f has this sign. Where it leaves the polygon's outline, it goes on along the cut.
+void set_part(const ConvexPolygon& polygon, const Affine& f, double tolerance, int sign, ConvexPolygon& part) {
+  part.clear();
+  const Affine inward = normalized(sign > 0 ? f : Affine{-f.c, -f.u, -f.v});
+  bool any = false;
+  double value = f(polygon[0].at);
+  int here = sign * side(value, tolerance);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner& corner = polygon[i];
+    const Corner& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+    const double value_next = f(next.at);
+    const int there = sign * side(value_next, tolerance);
+    if (here >= 0) part.push_back({corner.at, here == 0 && there < 0 ? inward : corner.edge});
+    if (here * there < 0) {
+      const dvec2 crossing =
+          value > 0.0 ? zero_between(corner.at, value, next.at, value_next) : zero_between(next.at, value_next, corner.at, value);
+      part.push_back({crossing, here > 0 ? inward : corner.edge});
+    }
+    any |= here > 0;
+    value = value_next;
+    here = there;
+  }
+  if (!any) part.clear();
+}
+
 }  // namespace
 
 Range part_within(const Bounds& box, const dvec2& a, const dvec2& b) {
@@ -116,33 +141,12 @@ ConvexPolygon intersection(ConvexPolygon polygon, const ConvexPolygon& other) {
 }
 
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative) {
-  positive.clear();
-  negative.clear();
-  const Affine inward = normalized(f), outward{-inward.c, -inward.u, -inward.v};
-  bool any_positive = false, any_negative = false;
-  double value = f(polygon[0].at);
-  int here = side(value, tolerance);
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Corner& corner = polygon[i];
-    const Corner& next = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    const double value_next = f(next.at);
-    const int there = side(value_next, tolerance);
-    // Where a part leaves the polygon's outline, it goes on along the cut.
-    if (here >= 0) positive.push_back({corner.at, here == 0 && there < 0 ? inward : corner.edge});
-    if (here <= 0) negative.push_back({corner.at, here == 0 && there > 0 ? outward : corner.edge});
-    if (here * there < 0) {
-      const dvec2 crossing =
-          here > 0 ? zero_between(corner.at, value, next.at, value_next) : zero_between(next.at, value_next, corner.at, value);
-      positive.push_back({crossing, here > 0 ? inward : corner.edge});
-      negative.push_back({crossing, here > 0 ? corner.edge : outward});
-    }
-    any_positive |= here > 0;
-    any_negative |= here < 0;
-    value = value_next;
-    here = there;
-  }
-  if (!any_positive) positive.clear();
-  if (!any_negative) negative.clear();
+  set_part(polygon, f, tolerance, 1, positive);
+  set_part(polygon, f, tolerance, -1, negative);
+}
+
+void clip(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive) {
+  set_part(polygon, f, tolerance, 1, positive);
 }
 
 }  // namespace raytube

@@ -90,5 +90,7 @@ ConvexPolygon intersection(ConvexPolygon polygon, const ConvexPolygon& other);
 /// Cuts along f = 0, which is no distance as a rule. A corner with |f| <= tolerance lies on the cut and belongs to both parts; a
 /// part without a corner beyond that is left empty. The two parts share the new corners, so their areas add up.
 void cut(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive, ConvexPolygon& negative);
+/// The positive part alone.
+void clip(const ConvexPolygon& polygon, const Affine& f, double tolerance, ConvexPolygon& positive);
 
 }  // namespace raytube

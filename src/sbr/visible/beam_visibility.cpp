@@ -96,8 +96,9 @@ void BeamVisibility::gather_nearest_first(const BeamView& view, double farthest)
   by_depth_.clear();
   for (const std::uint32_t face : found_) {
     if (!projector_.faces_beam(view, face)) continue;
-    const Patch& plane = tree_.mesh().patches[tree_.faces()[face].patch];
-    by_depth_.emplace_back(range(view.box, depth_of(view.beam, plane)).low, face);
+    const Affine depth = depth_of(view.beam, tree_.mesh().patches[tree_.faces()[face].patch]);
+    if (view.source && range(view.box, depth - view.source_depth).high <= 0.0) continue;
+    by_depth_.emplace_back(range(view.box, depth).low, face);
   }
   std::ranges::sort(by_depth_);
   const double filled = (1.0 - 1e-9) * area(*view.region);

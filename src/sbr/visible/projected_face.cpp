@@ -90,7 +90,7 @@ bool FaceProjector::lies_beside(const ConvexPolygon& region) {
 
 bool FaceProjector::clip_to_region(ConvexPolygon& outline) {
   for (const Affine& edge : crossed_) {
-    cut(outline, edge, length_rounding_, inside_, outside_);
+    clip(outline, edge, length_rounding_, inside_);
     std::swap(outline, inside_);
     if (outline.empty()) return false;
   }
@@ -108,7 +108,7 @@ void FaceProjector::clip_to_front(const BeamView& view, ProjectedFace& f) {
   const Range r = range(f.outline, ahead);
   if (r.high * std::min(f.tilt, view.source_tilt) <= height_rounding_) return f.outline.clear();
   if (r.low >= 0.0) return;
-  cut(f.outline, ahead, 0.0, inside_, outside_);
+  clip(f.outline, ahead, 0.0, inside_);
   std::swap(f.outline, inside_);
   f.edges.push_back(normalized(ahead));
 }

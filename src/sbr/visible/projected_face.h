@@ -66,7 +66,7 @@ class FaceProjector {
   double length_rounding_, height_rounding_;
   std::vector<dvec2> corners_;
   std::vector<Affine> crossed_;  // edges of the region
-  ConvexPolygon inside_, outside_;
+  ConvexPolygon inside_;
 };
 
 }  // namespace raytube
