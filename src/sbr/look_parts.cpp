@@ -52,9 +52,11 @@ Tiles tiles_of_range(std::uint32_t count, std::uint32_t together, Trace trace) {
 }
 
 Tiles polygon_tiles(const TubeLook& look) {
-  return tiles_of_range(static_cast<std::uint32_t>(look.faces.faces().size()),
-                        look.sheets ? faces_per_tile_with_sheets : faces_per_tile,
-                        [&look](std::uint32_t begin, std::uint32_t end) { return trace_faces(look, begin, end); });
+  using Visibilities = tbb::enumerable_thread_specific<BeamVisibility>;
+  const auto visible = std::make_shared<Visibilities>([&look] { return BeamVisibility(look.faces, look.tracer); });
+  return tiles_of_range(
+      static_cast<std::uint32_t>(look.faces.faces().size()), look.sheets ? faces_per_tile_with_sheets : faces_per_tile,
+      [&look, visible](std::uint32_t begin, std::uint32_t end) { return trace_faces(look, visible->local(), begin, end); });
 }
 
 // Cells of single rays where faces are dearer than cells that do as well.

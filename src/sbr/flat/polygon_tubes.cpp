@@ -6,7 +6,6 @@
 #include "sbr/beams/current_map.h"
 #include "sbr/beams/truncated_tubes.h"
 #include "sbr/flat/polygon_currents.h"
-#include "sbr/visible/beam_visibility.h"
 
 namespace raytube {
 
@@ -46,10 +45,10 @@ constexpr std::size_t many_tubes = 256, many_faces = 2048;
 
 // The tubes of some faces, bounce by bounce: state of trace_faces() and its steps.
 struct FaceTrace {
-  explicit FaceTrace(const TubeLook& look)
+  FaceTrace(const TubeLook& look, BeamVisibility& visible)
       : look_(look),
         beams_(look.faces.mesh(), look.surfaces, look.receive, incident_beam(look.grid, look.transmit, dvec2(0.0))),
-        visible_(look.faces, look.tracer),
+        visible_(visible),
         currents_(look, beams_, line_of_sight_) {
     if (look.sheets) line_of_sight_.emplace(*look.sheets, look.faces, look.tracer, visible_, beams_);
   }
@@ -221,7 +220,7 @@ struct FaceTrace {
 
   const TubeLook& look_;
   BeamTree beams_;
-  BeamVisibility visible_;
+  BeamVisibility& visible_;
   std::optional<PolygonLineOfSight> line_of_sight_;  // where there are sheets
   std::vector<VisiblePart> parts_;
   std::vector<PolygonTube> tubes_, reflected_;
@@ -235,16 +234,17 @@ struct FaceTrace {
 
 }  // namespace
 
-TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end) {
-  FaceTrace trace(look);
+TubeSums trace_faces(const TubeLook& look, BeamVisibility& visible, std::uint32_t begin, std::uint32_t end) {
+  visible.restart();
+  FaceTrace trace(look, visible);
   std::vector<std::uint32_t> faces;
   for (std::uint32_t face = begin; face < end; ++face)
     if (!look.smooth || look.smooth->region(look.faces.faces()[face].triangle) == no_index) faces.push_back(face);
   const Beam& incident = trace.beams_.beam(BeamTree::root);
   if (look.convexity.no_shadow)
-    trace.visible_.of_whole_faces(incident, faces, trace.parts_);
+    visible.of_whole_faces(incident, faces, trace.parts_);
   else
-    trace.visible_.of_faces(incident, faces, trace.parts_);
+    visible.of_faces(incident, faces, trace.parts_);
   trace.reflect({BeamTree::root, no_index, {}}, 0);
   trace.sums_.rays = trace.sums_.tubes = trace.sums_.hits.empty() ? 0 : trace.sums_.hits[0];
   trace.count_faces_away(begin, end);
@@ -257,7 +257,7 @@ TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t en
     trace.send_rays();
     trace.follow_all(bounce);
   }
-  trace.sums_.sliver_area = trace.visible_.sliver_area();
+  trace.sums_.sliver_area = visible.sliver_area();
   return std::move(trace.sums_);
 }
 

@@ -8,11 +8,12 @@
 
 #include "sbr/beams/tube_look.h"
 #include "sbr/beams/tube_sums.h"
+#include "sbr/visible/beam_visibility.h"
 
 namespace raytube {
 
 /// Follows the waves that reach the flat ones of the faces [begin, end) directly through all their reflections and integrates the
-/// currents of every bounce.
-TubeSums trace_faces(const TubeLook& look, std::uint32_t begin, std::uint32_t end);
+/// currents of every bounce. `visible` is of the look's faces and keeps its buffers from one call to the next.
+TubeSums trace_faces(const TubeLook& look, BeamVisibility& visible, std::uint32_t begin, std::uint32_t end);
 
 }  // namespace raytube

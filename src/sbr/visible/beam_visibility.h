@@ -47,6 +47,8 @@ class BeamVisibility {
 
   /// Area of pieces too thin to be more than rounding, left out so far [m^2].
   double sliver_area() const { return sliver_area_; }
+  /// Counts it from zero again.
+  void restart() { sliver_area_ = 0.0; }
 
  private:
   // Projected faces, kept with their memory, each where it is.
