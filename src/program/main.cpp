@@ -76,9 +76,8 @@ void require_printed() {
   throw std::runtime_error(not_printed);
 }
 
-// The GNU allocator keeps what was freed between other arrays for later: of arrays of up to 32 MB, once there was one, a tenth of
-// what a large mesh takes. With these it is no more than at the start of any program: pages of large arrays go back to the
-// system.
+// The GNU allocator keeps what was freed between other arrays for later, of arrays of up to 32 MB once there was one: a tenth of
+// what a large mesh takes. With fixed limits arrays from 4 MB on go back to the system.
 void return_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
   mallopt(M_MMAP_THRESHOLD, 4 << 20);

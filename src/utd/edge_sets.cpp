@@ -205,12 +205,14 @@ bool EdgeSets::has_corner_waves(CornerWaveKind kind) const {
   return std::ranges::any_of(sets_, [&](const Set& set) { return set.corners != nullptr && set.corners->count(kind) > 0; });
 }
 
-std::vector<double> EdgeSets::corner_wave_amplitudes(CornerWaveKind kind) const {
-  std::vector<double> amplitudes(setup_.frequencies.size());
-  for (const Set& set : sets_)
-    for (const std::size_t i : set.indices)
-      amplitudes[i] = CornerWaves::amplitude(kind, set.corners->count(kind), wavelength(setup_.frequencies[i]));
-  return amplitudes;
+std::vector<double> EdgeSets::solid_corner_amplitudes(const Look& look, const Radar& radar) const {
+  std::vector<double> all(setup_.frequencies.size());
+  for (const Set& set : sets_) {
+    const std::vector<double> part =
+        raytube::solid_corner_amplitudes(scene(set, false), look_of(look, radar, set.frequencies), set.frequencies);
+    for (std::size_t i = 0; i < set.indices.size(); ++i) all[set.indices[i]] = part[i];
+  }
+  return all;
 }
 
 CornerWaveSum EdgeSets::corner_waves(const Look& look, const Radar& radar, CornerWaveKind kind) const {

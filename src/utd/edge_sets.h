@@ -78,8 +78,8 @@ class EdgeSets {
 
   /// Whether waves of this kind run along any edge from corner to corner.
   bool has_corner_waves(CornerWaveKind kind) const;
-  /// What these may add to |S| at each frequency [m] (CornerWaves::amplitude).
-  std::vector<double> corner_wave_amplitudes(CornerWaveKind kind) const;
+  /// What those of solids may add to |S| at each frequency [m] (solid_corner_amplitudes).
+  std::vector<double> solid_corner_amplitudes(const Look& look, const Radar& radar) const;
   /// What they add to one look at all frequencies, and piece by piece at one of them.
   CornerWaveSum corner_waves(const Look& look, const Radar& radar, CornerWaveKind kind) const;
   std::vector<ImageEdge> corner_wave_pieces(const Look& look, const Radar& radar, const PieceRequest& request,

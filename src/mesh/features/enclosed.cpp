@@ -1,15 +1,13 @@
 #include "mesh/features/enclosed.h"
 
 #include <algorithm>
+#include <map>
 
 #include "mesh/model/triangle_pairs.h"
 
 namespace raytube {
 
 namespace {
-
-// Bodies that may enclose others, the largest of a mesh.
-constexpr std::size_t most_bodies = 16;
 
 class EnclosedComponents {
  public:
@@ -23,42 +21,37 @@ class EnclosedComponents {
   }
 
   std::vector<bool> run() {
-    std::vector<bool> enclosed(boxes_.size(), false);
-    const std::vector<std::uint32_t> bodies = largest_bodies();
-    for (std::uint32_t c = 0; c < boxes_.size(); ++c)
-      enclosed[c] = std::ranges::any_of(bodies, [&](std::uint32_t body) { return encloses(body, c); });
+    std::vector<bool> enclosed(boxes_.size());
+    for (std::uint32_t c = 0; c < boxes_.size(); ++c) enclosed[c] = is_enclosed(c);
     return enclosed;
   }
 
  private:
-  std::vector<std::uint32_t> largest_bodies() const {
-    std::vector<std::uint32_t> bodies;
-    for (std::uint32_t c = 0; c < boxes_.size(); ++c)
-      if (mesh_.components[c].closed) bodies.push_back(c);
-    std::ranges::stable_sort(bodies, std::ranges::greater(), [&](std::uint32_t c) { return boxes_[c].diagonal(); });
-    bodies.resize(std::min(bodies.size(), most_bodies));
-    return bodies;
-  }
-
   // A surface that does not cross the body's has one winding number, that of any of its points.
-  bool encloses(std::uint32_t body, std::uint32_t component) {
-    const Box &outer = boxes_[body], &inner = boxes_[component];
-    if (!glm::all(glm::lessThan(outer.low, inner.low)) || !glm::all(glm::lessThan(inner.high, outer.high))) return false;
-    return winding_number(body, mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]]) == 1 &&
-           std::ranges::none_of(triangles_[component], [&](std::uint32_t t) { return may_touch(body, t); });
+  bool is_enclosed(std::uint32_t component) {
+    find_winding_numbers(component, mesh_.vertices[mesh_.triangles[triangles_[component][0]][0]]);
+    return std::ranges::any_of(winding_numbers_, [&](const auto& body) {
+      return body.second == 1 &&
+             std::ranges::none_of(triangles_[component], [&](std::uint32_t t) { return may_touch(body.first, t); });
+    });
   }
 
-  // How often a closed body winds about a point: the faces that the line from there along z leaves through, less those that it
-  // enters by. Each side is met by both of its triangles or by neither, whatever the rounding (Shimrat 1962, Algorithm 112).
-  int winding_number(std::uint32_t body, const dvec3& point) {
+  // How often closed bodies whose boxes hold that of a component wind about a point: the faces that the line from there along z
+  // leaves through, less those that it enters by. Each side is met by both of its triangles or by neither, whatever the rounding
+  // (Shimrat 1962, Algorithm 112).
+  void find_winding_numbers(std::uint32_t component, const dvec3& point) {
+    winding_numbers_.clear();
     tree_.collect({point, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dvec2(0.0), dvec2(0.0)}, found_);
-    int number = 0;
     for (const std::uint32_t face : found_)
-      for (const std::uint32_t t : tree_.triangles(face)) {
-        if (mesh_.triangle_component[t] != body || !is_above(t, point)) continue;
-        number += area_vector(mesh_.vertices, mesh_.triangles[t]).z > 0.0 ? 1 : -1;
-      }
-    return number;
+      for (const std::uint32_t t : tree_.triangles(face))
+        if (const std::uint32_t body = mesh_.triangle_component[t]; may_hold(body, component) && is_above(t, point))
+          winding_numbers_[body] += area_vector(mesh_.vertices, mesh_.triangles[t]).z > 0.0 ? 1 : -1;
+  }
+
+  bool may_hold(std::uint32_t body, std::uint32_t component) const {
+    const Box &outer = boxes_[body], &inner = boxes_[component];
+    return mesh_.components[body].closed && glm::all(glm::lessThan(outer.low, inner.low)) &&
+           glm::all(glm::lessThan(inner.high, outer.high));
   }
 
   bool is_above(std::uint32_t triangle, const dvec3& point) const {
@@ -101,6 +94,7 @@ class EnclosedComponents {
   TriangleRows triangles_;  // of the components
   double margin_ = flat_fraction * 2.0 * mesh_.radius;
   std::vector<std::uint32_t> found_;
+  std::map<std::uint32_t, int> winding_numbers_;  // by body
 };
 
 }  // namespace

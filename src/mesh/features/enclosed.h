@@ -9,8 +9,7 @@
 namespace raytube {
 
 /// For each component of the mesh, whether it lies inside a closed one without touching it: waves from outside never get there,
-/// straight or reflected. Parts that come near the surface of the body count as reachable, and so does what lies inside
-/// none of the sixteen largest.
+/// straight or reflected. Parts that come near the surface of the body count as reachable.
 std::vector<bool> find_enclosed_components(const FaceTree& tree);
 
 /// Marks the wedges of the components for which `components` holds (Wedge::enclosed). Returns how many of those that conduct it

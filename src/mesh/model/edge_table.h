@@ -14,7 +14,7 @@ class EdgeTable {
  public:
   /// An edge as one triangle's side: from corner `corner` to the next one.
   struct Side {
-    /// Sides are numbered in 32 bits, three a triangle: no bit is lost.
+    /// Of fewer than 2^30 triangles, which would take some 300 GB.
     Side(std::uint32_t of, std::uint32_t at) : triangle(of & 0x3fffffffu), corner(at & 3u) {}
     std::uint32_t triangle : 30;  // whose side it is
     std::uint32_t corner : 2;     // where the side begins, 0 to 2

@@ -52,7 +52,7 @@ class Proxy {
     all_.triangles.reserve(mesh.triangles.size() + 2 * edges_.size());
     all_.source.reserve(all_.triangles.capacity());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) add_widened(t);
-    border_corners_ = {};  // twice as large as the mesh
+    decltype(border_corners_)().swap(border_corners_);  // twice as large as the mesh
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
       if (is_flat(all_.triangles[t])) make_rectangle(t);
     for (std::size_t e = 0; e < edges_.size(); ++e) add_strips(edges_[e]);

@@ -49,16 +49,15 @@ const KindOfCornerWaves& kind_of_waves() {
   return all[static_cast<std::size_t>(kind)];
 }
 
-// They run where they may add more than this share of a row's tolerance.
-constexpr double least_tolerances = 0.5;
-
 template <CornerWaveKind kind>
 class CornerWavesOfLook : public Mechanism {
  public:
   explicit CornerWavesOfLook(const BandScene& scene) : scene_(scene) {}
 
-  Prospect prospect(const TracedLook&) const override {
-    return {.amplitude = scene_.edges.corner_wave_amplitudes(kind), .tolerances = least_tolerances};
+  // Corners of solids take long to solve.
+  Prospect prospect(const TracedLook& traced) const override {
+    if (kind != CornerWaveKind::solid) return {};
+    return {.amplitude = scene_.edges.solid_corner_amplitudes(traced.look, scene_.plan.sweep.radar)};
   }
 
   Contribution solve(const TracedLook& traced, const std::vector<bool>& wanted, LookSink& sink) const override {
@@ -89,7 +88,8 @@ MechanismState state_of_corner_waves(const SolvePlan& plan) {
   if (plan.edges.order == 1) return without("edges.order is 1");
   if (std::ranges::none_of(plan.corner_waves, [](const auto& waves) { return waves->count(kind) > 0; }))
     return without(kind_of_waves<kind>().none);
-  return {.on = true, .what = "from corner to corner", .when = "in looks in which they may change S"};
+  if (kind != CornerWaveKind::solid) return {.on = true, .forced = true, .what = "from corner to corner"};
+  return {.on = true, .what = "from corner to corner", .when = "in looks where they can change a row by accuracy.tolerance_db"};
 }
 
 template <CornerWaveKind kind>

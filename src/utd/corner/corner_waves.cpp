@@ -185,14 +185,6 @@ std::size_t CornerWaves::count(CornerWaveKind kind) const {
   return static_cast<std::size_t>(std::ranges::count(kinds_, std::optional(kind)));
 }
 
-// Between corners a wave loses as much with the length of the edge as the two ends radiate more, so that its share of S hangs on
-// the wavelength alone: of four edges of plates of 2 to 20 wavelengths it is 0.13 wavelengths at most over all looks, of twelve
-// edges of boxes of 1 to 20 wavelengths 0.055.
-double CornerWaves::amplitude(CornerWaveKind kind, std::size_t edges, double wavelength) {
-  const double of_one = kind == CornerWaveKind::solid ? 0.016 : 0.066;
-  return of_one * wavelength * std::sqrt(static_cast<double>(edges));
-}
-
 std::size_t CornerWaves::bytes(CornerWaveKind kind) const {
   if (count(kind) == 0) return 0;
   if (kind == CornerWaveKind::solid) return solids_.bytes();

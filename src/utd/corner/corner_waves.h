@@ -54,9 +54,6 @@ class CornerWaves {
   /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
   double part(std::uint32_t wedge, const dvec3& incident) const;
 
-  /// Estimate of what the waves along so many edges of this kind add to |S| at most [m], their phases independent.
-  static double amplitude(CornerWaveKind kind, std::size_t edges, double wavelength);
-
   /// Where edge `wedge` has its corners.
   std::array<dvec3, 2> corners_of(std::uint32_t wedge) const;
   /// The place that both ways along it have for a radar in this direction (scene/scattering_piece.h).

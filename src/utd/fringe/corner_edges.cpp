@@ -113,6 +113,45 @@ CornerWaveSum corner_wave_scattering(const EdgeScene& scene, const EdgeLook& loo
   return sum;
 }
 
+// Between corners a wave loses as much with the length of the edge as the two ends radiate more, so that its share of S hangs on
+// the wavelength alone. Over all looks at boxes, prisms and pyramids of 1 to 20 wavelengths it is at most 0.026 of it times the
+// root of the number of edges.
+std::vector<double> solid_corner_amplitudes(const EdgeScene& scene, const EdgeLook& look, std::span<const double> frequencies) {
+  constexpr double of_one = 0.03;     // wavelengths
+  constexpr double alike = 1.0 / 64;  // directions differ by less in each component
+  constexpr double off_grid = 0.37;   // so that no direction along an axis lies between two
+  struct Way {
+    double path;
+    const SolidEdge* edge;
+  };
+  std::map<std::array<long, 3>, std::vector<Way>> ways;  // by direction
+  for (std::uint32_t index = 0; index < scene.wedges.size(); ++index) {
+    if (scene.corners->kind(index) != CornerWaveKind::solid) continue;
+    const std::array<dvec3, 2> corners = scene.corners->corners_of(index);
+    const SolidEdge* edge = scene.corners->solid(index);
+    for (const int from : {0, 1}) {
+      const bool seen =
+          edge->ends[from].sees(-look.incident(corners[from])) && edge->ends[1 - from].sees(look.at(corners[1 - from]).scattered);
+      if (!seen) continue;
+      const dvec3 cell = glm::floor((corners[1 - from] - corners[from]) / (edge->length * alike) + off_grid);
+      ways[{std::lround(cell.x), std::lround(cell.y), std::lround(cell.z)}].push_back(
+          {look.arriving(corners[from]) + look.leaving(corners[1 - from]) - edge->length, edge});
+    }
+  }
+  std::vector<double> amplitudes;
+  for (const double frequency : frequencies) {
+    const double k = wavenumber(frequency);
+    double squares = 0.0;
+    for (const auto& [direction, alike_ways] : ways) {
+      Complex sum = 0.0;
+      for (const Way& way : alike_ways) sum += std::polar(way.edge->length_weight(k), k * way.path);
+      squares += std::norm(sum);
+    }
+    amplitudes.push_back(of_one * wavelength(frequency) * std::sqrt(squares / 2));
+  }
+  return amplitudes;
+}
+
 std::vector<ImageEdge> corner_wave_pieces(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                           const PieceRequest& request, const FringeOptions& options, CornerWaveKind kind) {
   CornerEdges all(scene, look, subset, options);

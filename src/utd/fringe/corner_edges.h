@@ -19,7 +19,12 @@ struct CornerWaveSum {
 CornerWaveSum corner_wave_scattering(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                      const FringeOptions& options, CornerWaveKind kind);
 
-/// The same at one of the frequencies, spread over the lit parts of each edge by length; or each at the place of its path.
+/// Estimate of what the waves along all edges of solids whose corners see the antennas past their own body add to |S| at most at
+/// each frequency [m], without solving their corners: of edges that run alike by the phases of their waves, of others as if these
+/// were independent.
+std::vector<double> solid_corner_amplitudes(const EdgeScene& scene, const EdgeLook& look, std::span<const double> frequencies);
+
+/// The waves of one kind at one of the frequencies, spread over the lit parts of each edge by length; or each at the place of its path.
 std::vector<ImageEdge> corner_wave_pieces(const EdgeScene& scene, const EdgeLook& look, const SweepSubset& subset,
                                           const PieceRequest& request, const FringeOptions& options, CornerWaveKind kind);
 

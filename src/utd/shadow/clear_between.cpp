@@ -45,7 +45,9 @@ class Between {
   Prism round() const {
     Box box;
     for (const dvec3& end : ends_) box.add(end);
-    return {dvec3(0.0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, box.low, box.high, box.high.z};
+    Prism prism{dvec3(0.0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, box.low, box.high, box.high.z};
+    prism.add({prism.direction, box.low.z});
+    return prism;
   }
 
   bool may_block(std::uint32_t face) const {

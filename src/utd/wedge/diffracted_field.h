@@ -51,15 +51,16 @@ bool has_edge_ray(const StraightEdge& edge, const RaySource& source, const dvec3
 
 /// A point about an edge's line: rho and z [m], and the angle from face 0 [rad], negative in the metal.
 struct AboutEdge {
-  double distance;
-  double along;
-  double angle;
-  dvec3 outwards;  // unit, from the line to the point
+  double distance;  // rho [m]
+  double along;     // z [m]
+  double angle;     // [rad]
+  dvec3 outwards;   // unit, from the line to the point
 };
 
 /// The rays of one source over one edge; both must be as edge_ray() wants them.
 class EdgeRays {
  public:
+  /// Keeps references to both.
   EdgeRays(const StraightEdge& edge, const RaySource& source);
   /// None where has_edge_ray() is false. `observer` in the coordinates of the edge [m].
   std::optional<EdgeRay> to(const dvec3& observer) const;
