@@ -38,7 +38,7 @@ numpydoc_show_class_members = False
 nitpicky = True
 nitpick_ignore = [("cpp:identifier", name) for name in (
     "dvec2", "dvec3", "glm", "glm::dmat3", "glm::uvec2",  # GLM's
-    "Scene", "CurrentMap", "Mechanism", "BandScene", "CornerWaves", "RowEvidence", "Omission",  # declared in a public header, defined in another one
+    "Scene", "CurrentMap", "Mechanism", "BandScene", "CornerWaves", "RowEvidence", "Omission", "raytube", "Made",  # declared in a public header, defined in another one
 )]
 
 html_theme = "furo"
