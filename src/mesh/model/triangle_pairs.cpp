@@ -75,13 +75,15 @@ double solid_angle(const Corners& corners) {
   return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)), below);
 }
 
+void collect_within(const FaceTree& faces, const Box& box, std::vector<std::uint32_t>& found) {
+  Prism prism{dvec3(0.0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, dvec2(box.low), dvec2(box.high), box.high.z};
+  prism.add({prism.direction, box.low.z});
+  faces.collect(prism, found);
+}
+
 void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found) {
   const Box box = bounding_box(corners);
-  const dvec3 low = box.low - margin, high = box.high + margin;
-  const dvec3 up(0, 0, 1);
-  Prism prism{dvec3(0.0), dvec3(1, 0, 0), dvec3(0, 1, 0), up, dvec2(low), dvec2(high), high.z};
-  prism.add({up, low.z});
-  faces.collect(prism, found);
+  collect_within(faces, {box.low - margin, box.high + margin}, found);
 }
 
 double winding_number(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const dvec3& point) {

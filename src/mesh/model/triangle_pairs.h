@@ -24,6 +24,9 @@ bool lie_upon_one_another(const Corners& a, const Corners& b, double distance);
 /// IEEE Trans. BME-30, 125) [sr].
 double solid_angle(const Corners& corners);
 
+/// Fills `found` with the faces whose boxes reach into this one.
+void collect_within(const FaceTree& faces, const Box& box, std::vector<std::uint32_t>& found);
+
 /// Fills `found` with the faces whose boxes reach into that of a triangle, widened by `margin` [m].
 void collect_near(const FaceTree& faces, const Corners& corners, double margin, std::vector<std::uint32_t>& found);
 

@@ -178,7 +178,7 @@ class CellTrace {
     set_corners(clipped_, f.at);
     for (const Affine& side : {Affine{-box.low.x, 1.0, 0.0}, Affine{box.high.x, -1.0, 0.0}, Affine{-box.low.y, 0.0, 1.0},
                                Affine{box.high.y, 0.0, -1.0}}) {
-      cut(clipped_, side, 0.0, inside_, outside_);
+      raytube::clip(clipped_, side, 0.0, inside_);
       std::swap(clipped_, inside_);
       if (clipped_.empty()) return false;
     }
@@ -311,7 +311,7 @@ class CellTrace {
   bool elsewhere_;                                     // see looks_from_elsewhere()
   const FacingTriangle* base_ = nullptr;
   double phase_off_ = 0.0;  // of the facets' sides from the piece in question [rad], at the highest frequency
-  ConvexPolygon clipped_, inside_, outside_;
+  ConvexPolygon clipped_, inside_;
   std::vector<VisiblePart> parts_;
   TubeSums sums_;
 };

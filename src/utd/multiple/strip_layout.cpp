@@ -21,10 +21,9 @@ double fading_length_of(const WaveTree& tree) {
 }
 
 // Waves on both sides of half planes, over the same strips.
-bool have_same_kernels(const StripScene& scene, const WaveTree& tree, const TreeWave& a, const TreeWave& b) {
+bool have_same_kernels(const WaveTree& tree, const TreeWave& a, const TreeWave& b) {
   const auto grazes_half_plane = [&](const TreeWave& each) {
-    return !each.direct && each.wave.mirrors == 0 && ends_sheet(scene.wedges[each.wave.wedge]) &&
-           !tree.runs_over_curved(each.wave);
+    return tree.starts_at_half_plane(each) && !tree.runs_over_curved(each.wave);
   };
   const auto bundles = [&](const TreeWave& of) {
     return tree.bundles().subspan(of.first_bundle, of.end_bundle - of.first_bundle);
@@ -47,7 +46,7 @@ void find_faces(const StripScene& scene, StripLayout& strips) {
                             {},
                             face_projection(wave, scene.look),
                             0,
-                            before != nullptr && have_same_kernels(scene, strips.tree, *before, each)});
+                            before != nullptr && have_same_kernels(strips.tree, *before, each)});
     if (wedge.thickness() > 0.0)
       strips.faces.back().thin.emplace(wedge, wave.source_face, wave.incidence, half_cosine, scene.look.scattered, each.direct);
     before = &each;

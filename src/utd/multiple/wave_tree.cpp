@@ -86,14 +86,15 @@ void WaveTree::continue_beyond(std::size_t index) {
   }
 }
 
+bool WaveTree::starts_at_half_plane(const TreeWave& wave) const {
+  return !wave.direct && wave.wave.mirrors == 0 && ends_sheet(wedges_[wave.wave.wedge]);
+}
+
 // A half plane sends the same wave over both of its sides. Where both come to the edge of a half plane, each starts the same two
 // waves on the sides of that: those of the other side, which came first, then count for both.
 const StripBundle* WaveTree::same_on_other_side(std::size_t index, const StripBundle& bundle) const {
   if (index == 0) return nullptr;
   const TreeWave &here = waves_[index], &other = waves_[index - 1];
-  const auto starts_at_half_plane = [&](const TreeWave& each) {
-    return !each.direct && each.wave.mirrors == 0 && ends_sheet(wedges_[each.wave.wedge]);
-  };
   if (here.parent != other.parent || !starts_at_half_plane(here) || !starts_at_half_plane(other)) return nullptr;
   const auto is_same = [&](const StripBundle& each) {
     return each.first_beyond > 0 && each.edge->wedge == bundle.edge->wedge && ends_sheet(wedges_[each.edge->wedge]) &&

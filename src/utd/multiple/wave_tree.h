@@ -73,6 +73,9 @@ class WaveTree {
   /// Whether one of the waves that go on to further edges runs exactly along an edge of its face.
   bool runs_along_edge() const { return runs_along_edge_; }
 
+  /// Whether a wave is the diffracted one of a half plane, the same over both of its sides but for the sign.
+  bool starts_at_half_plane(const TreeWave& wave) const;
+
   /// Whether a wave of it runs over a curved face: then it has a single bundle there, and what follows is not in the tree
   /// (curved_strips.h).
   bool runs_over_curved(const StripWave& wave) const { return curved_ != nullptr && curved_->curved(wave.wedge, wave.face); }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "mesh/model/triangle_pairs.h"
+
 namespace raytube {
 
 namespace {
@@ -35,21 +37,14 @@ class Between {
   }
 
   bool is_clear() const {
+    Box box;
+    for (const dvec3& end : ends_) box.add(end);
     std::vector<std::uint32_t> near;
-    faces_.collect(round(), near);
+    collect_within(faces_, box, near);
     return std::ranges::none_of(near, [&](std::uint32_t face) { return may_block(face); });
   }
 
  private:
-  // Round all four ends.
-  Prism round() const {
-    Box box;
-    for (const dvec3& end : ends_) box.add(end);
-    Prism prism{dvec3(0.0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, box.low, box.high, box.high.z};
-    prism.add({prism.direction, box.low.z});
-    return prism;
-  }
-
   bool may_block(std::uint32_t face) const {
     const std::uint32_t patch = faces_.faces()[face].patch;
     if (std::ranges::find(own_, patch) != own_.end() || is_parted(face, patch)) return false;

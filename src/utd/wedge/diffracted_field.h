@@ -60,7 +60,7 @@ struct AboutEdge {
 /// The rays of one source over one edge; both must be as edge_ray() wants them.
 class EdgeRays {
  public:
-  /// Keeps references to both.
+  /// Keeps copies of both.
   EdgeRays(const StraightEdge& edge, const RaySource& source);
   /// None where has_edge_ray() is false. `observer` in the coordinates of the edge [m].
   std::optional<EdgeRay> to(const dvec3& observer) const;
