@@ -27,9 +27,10 @@ namespace {
 
 // Powers of the cells' width with which errors fall: of tubes too narrow to be cut (theory/method.md), and of cells.
 constexpr double order_of_polygons = 1.5, order_of_cells = 1.0;
-// The cells per wavelength whose narrow tubes leave less than a decibel in the worst row of most looks at vehicles. Time grows
-// with the square root of the density alone: a second grid costs more than a first one that is finer than it would have to be.
-constexpr double density_for_a_decibel = 10.0;
+// The cells per wavelength whose narrow tubes leave, at vehicles, less than a tenth of a decibel in most rows and less than one in
+// nearly all. Time grows with the square root of the density alone: a second grid costs more than a first one that is finer than
+// it would have to be.
+constexpr double density_for_a_decibel = 5.0;
 // What a row is taken to be permitted, in decibels, before its model uncertainty is known: that of vehicles permits more.
 constexpr double permitted_at_first = 1.0;
 

@@ -63,6 +63,7 @@ struct Sweep {
   bool bistatic = false;  // receive directions were given (they may still coincide); else every look is its own receiver
   Radar radar{};          // of looks from a finite distance
   std::vector<Material> materials{};  // of the target: see Patch::material
+  std::vector<double> times{};        // [look] [s] at which it is taken, of a scene that moves; empty: nothing does
 
   /// How many rows the result has.
   std::size_t rows() const { return frequencies.size() * looks.size(); }
