@@ -20,7 +20,6 @@
 #include "output/tables/stored.h"
 #include "output/words/summary.h"
 #include "solve/image.h"
-#include "solve/solve.h"
 
 namespace raytube::python {
 
@@ -63,9 +62,10 @@ auto beside_others(const Watch& watch, Ranks* ranks, const Work& work) {
 
 std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Case c = read_case(file, overrides);
-  LoadedMesh loaded = load_target(c);
+  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
+  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
   std::vector<std::string> sha256 = sha256_of_meshes(c, loaded.report);
-  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
+  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges), moving);
   return std::make_shared<const Job>(std::move(c), std::move(sha256), std::move(built));
 }
 
@@ -81,10 +81,10 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
   const auto progress = [&](double share) { return go_on(watch, ranks, share); };
   return beside_others(watch, ranks, [&]() -> std::optional<StoredResult> {
     if (is_helper(ranks)) {
-      help_to_solve(plan_of_case(built->target, asked, count, parts), ranks->team(), progress);
+      help_to_solve_case(asked, built->target, count, parts, ranks->team(), progress, built->moving);
       return {};
     }
-    const PlannedCase planned(asked, built->target, built->report, built->outermost, count, parts);
+    const PlannedCase planned(asked, built->target, built->report, built->outermost, count, parts, built->moving);
     Manifest manifest = described_inputs(asked, built->report, mesh_sha256);
     const SweepResult solved = solve_case(planned, manifest, progress, {}, ranks ? &ranks->team() : nullptr);
     StoredResult result = stored(asked.sweep, solved);
@@ -94,10 +94,12 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
 }
 
 Json Job::check(int threads) const {
-  const SolvePlan plan = plan_of_case(built->target, asked, threads_of(threads), false);
-  Json data = check_data(asked, built->report, plan);
+  const MovingTarget* const moving = built->moving.get();
+  const Case part = moving ? case_of_plan(asked, *moving) : asked;
+  const SolvePlan plan = plan_of_case(built->target, part, threads_of(threads), false);
+  Json data = check_data(asked, built->report, plan, moving);
   check_memory(plan, asked);
-  data.update(time_data(plan, predicted_time(plan)));
+  data.update(time_data(plan, predicted_time(plan, plans_of(asked, moving))));
   return data;
 }
 

@@ -1,6 +1,7 @@
 #include "bindings/target.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@
 #include "case/text/values.h"
 #include "core/error.h"
 #include "core/text.h"
+#include "jobs/moving.h"
 #include "output/files/sha256.h"
 
 namespace raytube::python {
@@ -35,6 +37,14 @@ double metres_of_unit(const std::string& unit) {
 // All that the mesh made ready depends on.
 std::string dependencies(const Case& c) {
   std::string text = fmt::format("{} {}", c.wedges.min_wedge_angle, c.wedges.thin_plates);
+  if (c.motion) {
+    for (const auto& [key, value] : numerical_keys(c)) text += key + '=' + value;
+    for (const BodyMotion& body : c.motion->motion.bodies)
+      for (const PoseSample& pose : body.poses)
+        text += fmt::format(" {} {} {} {} {}", pose.time, pose.position.x, pose.position.y, pose.position.z,
+                            fmt::join(pose.turn, " "));
+    return text;
+  }
   if (c.ground) text += fmt::format(" over {} {}", c.ground->height, c.ground->perfect());
   if (c.sweep.materials.empty() && c.assignment.parts.empty() && c.assignment.facets.empty()) return text;
   for (const auto& [key, value] : numerical_keys(c))
@@ -71,9 +81,9 @@ std::shared_ptr<const BuiltTarget> TargetSource::built_for(const Case& c) {
   PolygonSoup soup = polygons;
   if (meshes.size() == 1 && !sha256.empty() && !c.assignment.parts.empty()) add_name(soup, meshes.front());  // as a case does
   assign_materials(soup, c);
-  add_mirror_image(soup, c);
-  LoadedMesh loaded = build_mesh(std::move(soup), c.metres_per_unit, name, c.sweep.materials);
-  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges));
+  const auto moving = c.motion ? std::make_shared<const MovingTarget>(std::move(soup), c) : nullptr;
+  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : build_target(std::move(soup), c, name);
+  auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges), moving);
   if (built_.size() == most_built) built_.erase(built_.begin());
   built_.emplace_back(key, built);
   return built;

@@ -9,16 +9,18 @@
 #include <vector>
 
 #include "case/data/case.h"
+#include "case/moving_target.h"
 #include "mesh/load.h"
-#include "scene/sampling.h"
 #include "plan/target.h"
+#include "scene/sampling.h"
 
 namespace raytube::python {
 
 /// Mesh, wedges and trees for one choice of materials and creases.
 struct BuiltTarget {
   MeshReport report;
-  Target target;
+  Target target;                                         // of a case that moves, that of its plan (jobs/moving.h)
+  std::shared_ptr<const MovingTarget> moving = nullptr;  // null: everything stands
   std::vector<dvec3> outermost = outermost_points(target.mesh.vertices);  // as wide as all of it
 };
 

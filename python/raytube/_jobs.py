@@ -37,21 +37,21 @@ class Communicator(Protocol):
 @overload
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
           facets: _Section = ..., materials: _Section = ..., tubes: _Section = ..., edges: _Section = ..., surfaces: _Section = ...,
-          radar: _Section = ..., ground: _Section = ..., accuracy: _Section = ..., title: str | None = ..., keep_mechanisms: bool = ...,
-          threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
+          radar: _Section = ..., ground: _Section = ..., motion: _Section = ..., accuracy: _Section = ..., title: str | None = ...,
+          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: None = ...) -> Result: ...
 
 
 @overload
 def solve(target: Target, ghz: Any, looks: Looks | None = ..., *, material: str | None = ..., parts: Mapping[str, str] | None = ...,
           facets: _Section = ..., materials: _Section = ..., tubes: _Section = ..., edges: _Section = ..., surfaces: _Section = ...,
-          radar: _Section = ..., ground: _Section = ..., accuracy: _Section = ..., title: str | None = ..., keep_mechanisms: bool = ...,
-          threads: int = ..., progress: _Progress = ..., comm: Communicator) -> Result | None: ...
+          radar: _Section = ..., ground: _Section = ..., motion: _Section = ..., accuracy: _Section = ..., title: str | None = ...,
+          keep_mechanisms: bool = ..., threads: int = ..., progress: _Progress = ..., comm: Communicator) -> Result | None: ...
 
 
 def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str | None = None, parts: Mapping[str, str] | None = None,
           facets: _Section = None, materials: _Section = None, tubes: _Section = None, edges: _Section = None, surfaces: _Section = None,
-          radar: _Section = None, ground: _Section = None, accuracy: _Section = None, title: str | None = None, keep_mechanisms: bool = False,
-          threads: int = 0, progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
+          radar: _Section = None, ground: _Section = None, motion: _Section = None, accuracy: _Section = None, title: str | None = None,
+          keep_mechanisms: bool = False, threads: int = 0, progress: _Progress = False, comm: Communicator | None = None) -> Result | None:
     """Computes the scattering amplitudes of a target.
 
     The same bits for any number of threads, and the same as those of ``raytube run`` for a case with these keys.
@@ -70,9 +70,9 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
         Materials of parts of the mesh, by the part's name (``Target.parts``).
     facets : dict, optional
         Materials of single facets, counted from 0: ``{"glass": [0, [10, 20]]}``.
-    materials, tubes, edges, surfaces, radar, ground, accuracy : dict, optional
+    materials, tubes, edges, surfaces, radar, ground, motion, accuracy : dict, optional
         Sections of a case file, with its keys: ``edges={"order": 2}``, ``materials={"coat": {"kind": "coated", "eps_r": [4, 0.1],
-        "thickness_mm": 2}}``.
+        "thickness_mm": 2}}``. `Motion` makes that of bodies that move.
     title : str, optional
         Title for pictures and files.
     keep_mechanisms : bool
@@ -111,7 +111,8 @@ def solve(target: Target, ghz: Any, looks: Looks | None = None, *, material: str
     rank 0 warns.
     """
     keywords = {"material": material, "parts": parts, "facets": facets, "materials": materials, "tubes": tubes, "edges": edges,
-                "surfaces": surfaces, "radar": radar, "ground": ground, "accuracy": accuracy, "title": title}
+                "surfaces": surfaces, "radar": radar, "ground": ground, "motion": motion, "accuracy": accuracy,
+                "title": title}
     return _solved(lambda: _job_of_target("solve", target, ghz, looks, keywords), keep_mechanisms, threads, progress, comm)
 
 
@@ -453,7 +454,7 @@ def _warn(sentences: list[str], level: int = 3) -> None:
 
 # Sections of a case that are keywords; those of [target] first.
 _OF_TARGET = ("material", "parts", "facets")
-_SECTIONS = ("materials", "tubes", "edges", "surfaces", "radar", "ground", "accuracy")
+_SECTIONS = ("materials", "tubes", "edges", "surfaces", "radar", "ground", "motion", "accuracy")
 _KEYWORDS = (*_OF_TARGET, *_SECTIONS, "title")
 
 

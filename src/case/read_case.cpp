@@ -12,6 +12,7 @@
 #include "case/directions/radar.h"
 #include "case/ground.h"
 #include "case/materials/materials.h"
+#include "case/motion.h"
 #include "case/text/document.h"
 #include "case/text/keys.h"
 #include "case/text/users_words.h"
@@ -202,6 +203,7 @@ void check_known_keys(const CaseValue& root) {
   const std::vector<std::string_view> names = case_key_names();
   check_keys(root, {names, foreign, "sources", {}, remedy_for_word});
   if (const CaseValue* materials = root.find("materials")) check_material_keys(*materials);
+  if (const CaseValue* bodies = find(root, "motion.bodies")) check_body_keys(*bodies);
 }
 
 Case resolved(const CaseValue& root, const std::filesystem::path& file, const LookNumbers* looks) {
@@ -220,6 +222,7 @@ Case resolved(const CaseValue& root, const std::filesystem::path& file, const Lo
   check_material_edges(root, c);
   read_radar(root, c);
   read_ground(root, c);
+  read_motion(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : name_of_mesh(c.mesh_files.front());
@@ -243,6 +246,7 @@ std::vector<std::pair<std::string, std::filesystem::path>> input_files(const Cas
   const std::filesystem::path folder = c.file.parent_path();
   if (!c.looks.looks_csv.empty()) files.emplace_back("look.looks_csv", folder / c.looks.looks_csv);
   if (!c.radar.pattern_csv.empty()) files.emplace_back("radar.pattern_csv", folder / c.radar.pattern_csv);
+  for (const std::string& table : pose_tables(c)) files.emplace_back("poses_csv", folder / table);
   return files;
 }
 

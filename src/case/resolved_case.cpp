@@ -71,7 +71,8 @@ Json radar_json(const Case& c) {
 Json look_list_json(const Case& c) {
   Json json;
   const std::size_t turns = std::max<std::size_t>(c.radar.turntable_deg.size(), 1);
-  for (std::size_t i = 0; i < c.sweep.looks.size(); i += turns) {
+  const std::size_t looks = c.sweep.looks.size() / (c.motion ? c.motion->times() : 1);
+  for (std::size_t i = 0; i < looks; i += turns) {
     const Look& look = c.sweep.looks[i];
     json["theta_deg"].push_back(decimal_degrees(look.transmit.theta));
     json["phi_deg"].push_back(decimal_degrees(look.transmit.phi + look.turn));
@@ -92,6 +93,37 @@ void put_looks(const Case& c, Json& json) {
     json["look"] = {{"theta_deg", one_or_list(looks.theta_deg)}, {"phi_deg", one_or_list(looks.phi_deg)}};
   if (!looks.rx_theta_deg.empty())
     json["receive"] = {{"theta_deg", one_or_list(looks.rx_theta_deg)}, {"phi_deg", one_or_list(looks.rx_phi_deg)}};
+}
+
+Json body_json(const BodyMotion& body, const Motion& motion) {
+  Json json = Json::object();
+  if (!body.parts.empty()) json["parts"] = body.parts;
+  if (body.on != no_body) json["on"] = motion.bodies[body.on].name;
+  if (body.turning) {
+    json["axis"] = vector_json(body.turning->axis);
+    json["through_m"] = vector_json(body.turning->through);
+    json["deg_per_s"] = decimal_degrees(body.turning->rate);
+    json["angle_deg"] = decimal_degrees(body.turning->angle);
+  }
+  if (!body.poses_csv.empty()) json["poses_csv"] = body.poses_csv;
+  if (body.poses_csv.empty())
+    for (const auto& [time, at, turn] : body.poses)
+      json["poses"].push_back(std::vector{time, at.x, at.y, at.z, turn[0], turn[1], turn[2], turn[3]});
+  json["velocity_m_per_s"] = vector_json(body.velocity);
+  return json;
+}
+
+Json motion_json(const MotionChoice& choice) {
+  Json json;
+  if (choice.pulses > 0)
+    json["pulses"] = {{"start_s", choice.start_s}, {"interval_s", choice.interval_s}, {"count", choice.pulses}};
+  else
+    json["times_s"] = one_or_list(choice.times_s);
+  json["reference_s"] = choice.motion.reference;
+  if (choice.radar && choice.radar->poses_csv.empty()) json["radar"]["velocity_m_per_s"] = vector_json(choice.radar->velocity);
+  if (choice.radar && !choice.radar->poses_csv.empty()) json["radar"]["track_csv"] = choice.radar->poses_csv;
+  for (const BodyMotion& body : choice.motion.bodies) json["bodies"][body.name] = body_json(body, choice.motion);
+  return json;
 }
 
 Json facets_json(const std::vector<MaterialAssignment::Facets>& facets) {
@@ -163,6 +195,7 @@ Json resolved_case(const Case& c) {
   if (!c.sweep.looks.front().far()) json["radar"] = radar_json(c);
   if (c.ground)
     json["ground"] = {{"height_m", c.ground->height}, {"material", c.ground->perfect() ? "pec" : c.ground->material->name}};
+  if (c.motion) json["motion"] = motion_json(*c.motion);
   put_scalar_keys(c, json);
   return json;
 }

@@ -115,7 +115,7 @@ PolygonSoup read_named(const Case& c, std::size_t file, bool named) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
   if (c.meshes.size() > 1)
     for (std::string& remark : soup.remarks) remark = fmt::format("{}: {}", c.meshes[file], remark);
-  if (!c.assignment.parts.empty() || (named && c.meshes.size() > 1)) add_name(soup, c.meshes[file]);
+  if (!c.assignment.parts.empty() || ((named || c.motion) && c.meshes.size() > 1)) add_name(soup, c.meshes[file]);
   return soup;
 }
 
@@ -153,13 +153,19 @@ void add_mirror_image(PolygonSoup& soup, const Case& c) {
   add_polygons(image, soup);
 }
 
-LoadedMesh load_target(const Case& c, bool named) {
+PolygonSoup read_target(const Case& c, bool named) {
   PolygonSoup whole = read_named(c, 0, named);
   for (std::size_t i = 1; i < c.meshes.size(); ++i) add_polygons(read_named(c, i, named), whole);
   assign_materials(whole, c);
-  add_mirror_image(whole, c);
-  if (named) number_parts(whole);
-  return build_mesh(std::move(whole), c.metres_per_unit, mesh_names(c), c.sweep.materials);
+  return whole;
 }
+
+LoadedMesh build_target(PolygonSoup soup, const Case& c, const std::string& name, bool named) {
+  add_mirror_image(soup, c);
+  if (named) number_parts(soup);
+  return build_mesh(std::move(soup), c.metres_per_unit, name, c.sweep.materials);
+}
+
+LoadedMesh load_target(const Case& c, bool named) { return build_target(read_target(c, named), c, mesh_names(c), named); }
 
 }  // namespace raytube

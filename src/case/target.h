@@ -17,6 +17,14 @@ void assign_materials(PolygonSoup& soup, const Case& c);
 /// target that reaches below the ground of the case.
 void add_mirror_image(PolygonSoup& soup, const Case& c);
 
+/// Reads the files and assigns the materials. With `named` polygons keep the name of their file where there are several. Throws
+/// InputError.
+PolygonSoup read_target(const Case& c, bool named = false);
+
+/// The mesh of these polygons, with the mirror image where the case has one; `name` is used in sentences about it. Throws
+/// InputError.
+LoadedMesh build_target(PolygonSoup soup, const Case& c, const std::string& name, bool named = false);
+
 /// Reads the files, assigns the materials and builds the mesh. With `named`, triangles keep their parts' names, that of their
 /// file among them where there are several. Throws InputError.
 LoadedMesh load_target(const Case& c, bool named = false);

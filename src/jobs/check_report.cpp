@@ -202,8 +202,11 @@ std::vector<std::string> skipped_lines(const MeshReport& r, const SolvePlan& pla
   return lines;
 }
 
-std::vector<std::string> warnings_json(const Case& c, const MeshReport& counts, const SolvePlan& plan) {
-  std::vector<std::string> sentences = warnings_of(c, plan, outermost_points(plan.target.mesh.vertices));
+std::vector<std::string> warnings_json(const Case& c, const MeshReport& counts, const SolvePlan& plan,
+                                       const MovingTarget* moving) {
+  const std::vector<dvec3> outermost = outermost_points(plan.target.mesh.vertices);
+  std::vector<std::string> sentences = warnings_of(moving ? case_of_pulse(c, 0) : c, plan, outermost);
+  if (moving) std::ranges::copy(moving->warnings(c.sweep), std::back_inserter(sentences));
   std::ranges::copy(reading_sentences(c, counts), std::back_inserter(sentences));
   return sentences;
 }
@@ -234,7 +237,11 @@ double seconds_of_ranks(const SolvePlan& plan, const TimePrediction& time, int r
 
 }  // namespace
 
-Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) {
+std::size_t plans_of(const Case& c, const MovingTarget* moving) {
+  return moving && !is_one_plan(c, *moving) ? c.motion->times() : 1;
+}
+
+Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving) {
   Json data;
   data["case_file"] = c.file.string();
   data["case"] = resolved_case(c);
@@ -250,8 +257,8 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) 
   data["curved_surfaces"] = curved_surfaces_json(plan);
   data["mechanisms"] = mechanisms_json(plan);
   data["skipped"] = skipped_lines(counts, plan);
-  data["warnings"] = warnings_json(c, counts, plan);
-  data["looks_computed"] = plan.looks.computed.size();
+  data["warnings"] = warnings_json(c, counts, plan, moving);
+  data["looks_computed"] = plan.looks.computed.size() * plans_of(c, moving);
   data["launch_grid"] = launch_grid_json(plan);
   if (plan.rays()) data["ray_range_m"] = plan.ray_range;
   data["memory_bytes"] = memory_of_run(plan, c).leader;
@@ -259,7 +266,11 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan) 
   return data;
 }
 
-TimePrediction predicted_time(const SolvePlan& plan) { return predict_time(plan, probe_seconds, probe_patience); }
+TimePrediction predicted_time(const SolvePlan& plan, std::size_t plans) {
+  TimePrediction time = predict_time(plan, probe_seconds, probe_patience);
+  time.solve_s *= static_cast<double>(plans), time.least_s *= static_cast<double>(plans);
+  return time;
+}
 
 Json time_data(const SolvePlan& plan, const TimePrediction& time) {
   return {{"time",

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/threads.h"
 #include "jobs/memory.h"
+#include "jobs/solvable.h"
 #include "plan/admissible.h"
 
 namespace raytube {
@@ -38,6 +39,7 @@ std::vector<double> densities_from_coarse_to_fine(std::vector<double> densities,
 }
 
 void refuse_study_of_rays(const Case& c) {
+  refuse_motion(c);
   if (c.edges.method == EdgeMethod::utd)
     throw InputError(
         fmt::format("{}: edges.method \"utd\" has no tubes whose density could be studied; remove it", c.file.string()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "case/materials/materials.h"
+#include "case/motion.h"
 #include "case/resolved_case.h"
 #include "output/files/sha256.h"
 
@@ -61,6 +62,8 @@ Manifest described_inputs(const Case& c, const MeshReport& report, std::vector<s
   if (!c.looks.looks_csv.empty()) manifest.looks_csv_sha256 = sha256_of_file(c.file.parent_path() / c.looks.looks_csv);
   if (!c.radar.pattern_csv.empty()) manifest.pattern_csv_sha256 = sha256_of_file(c.file.parent_path() / c.radar.pattern_csv);
   for (const auto& [name, table] : medium_tables(c)) manifest.table_csv_sha256.emplace_back(name, sha256_of_file(table));
+  for (const std::string& table : pose_tables(c))
+    manifest.table_csv_sha256.emplace_back(table, sha256_of_file(c.file.parent_path() / table));
   manifest.mesh_report = mesh_counts(report);
   for (const MeshNote& note : report.notes()) manifest.mesh_notes.emplace_back(note.what, static_cast<double>(note.count));
   return manifest;

@@ -29,6 +29,7 @@ std::string looks_text(const Sweep& sweep) {
       writer(value);
   }
   writer(sweep.frequencies);
+  writer(sweep.times);
   return fmt::format("{} {}", sweep.looks.size(), sha256_of(writer.take()));
 }
 

@@ -6,13 +6,23 @@
 
 namespace raytube {
 
+void refuse_motion(const Case& c) {
+  if (c.motion)
+    throw InputError(
+        fmt::format("{}: [motion] is for raytube run and what is made of its rows; this needs a scene that stands: "
+                    "remove the section",
+                    c.motion->location));
+}
+
 void require_look(const Case& c, std::size_t look, const std::string& place) {
+  refuse_motion(c);
   if (const std::size_t looks = c.sweep.looks.size(); look >= looks)
     throw InputError(
         fmt::format("{} {}: there are {} direction pair(s), counted from 0; choose among these", place, look, looks));
 }
 
 SolvePlan plan_of_case(const Target& target, const Case& c, int threads, bool keep_parts) {
+  refuse_motion(c);
   return naming_the_case(c, [&] {
     SolvePlan plan(target, c.sweep, {c.tubes, c.edges, c.surfaces, threads, keep_parts}, c.ground);
     for (const std::size_t look : c.image_looks) image_cells(plan, look, c.image_per_wavelength);  // refuses what cannot be made

@@ -7,11 +7,14 @@
 
 namespace raytube {
 
+/// Throws InputError for a case in which bodies move.
+void refuse_motion(const Case& c);
+
 /// Throws InputError, which begins with `place`, unless the case has that look.
 void require_look(const Case& c, std::size_t look, const std::string& place = "look");
 
-/// The plan of the case. Throws InputError, with the case file, for whatever a run of it would be refused for, images included,
-/// but for want of memory. Refers to `target` and to the case.
+/// The plan of a case that stands. Throws InputError, with the case file, for whatever a run of it would be refused for, images
+/// included, but for want of memory. Refers to `target` and to the case.
 SolvePlan plan_of_case(const Target& target, const Case& c, int threads, bool keep_parts);
 
 /// The case with this look alone, at one of its frequencies.

@@ -30,20 +30,48 @@ std::vector<std::string> warnings_of_result(const PlannedCase& planned, const St
 }  // namespace
 
 PlannedCase::PlannedCase(const Case& asked, const Target& target, const MeshReport& mesh_report, std::span<const dvec3> outermost,
-                         int threads, bool keep_parts)
-    : c(asked), report(mesh_report), plan(plan_of_case(target, c, threads, keep_parts)) {
+                         int threads, bool keep_parts, std::shared_ptr<const MovingTarget> moving_target)
+    : c(asked),
+      report(mesh_report),
+      moving(std::move(moving_target)),
+      part(moving ? std::make_unique<const Case>(case_of_plan(c, *moving)) : nullptr),
+      plan(plan_of_case(target, part ? *part : c, threads, keep_parts)) {
   check_memory(plan, c);
-  warnings = warnings_of(c, plan, outermost);
+  if (!moving) {
+    warnings = warnings_of(c, plan, outermost);
+    return;
+  }
+  warnings = warnings_of(case_of_pulse(c, 0), plan, outermost);
+  std::ranges::copy(moving->warnings(c.sweep), std::back_inserter(warnings));
 }
 
 SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std::function<bool(double)>& progress,
                        const KeptLooks& kept, WorkTeam* team) {
-  SweepResult result = solve(planned.plan, progress, kept, team);
+  const SolvePlan& plan = planned.plan;
+  SweepResult result = planned.pulse_by_pulse()
+                           ? solve_pulses(planned.c, *planned.moving, plan.threads, plan.tell_parts, progress, kept, team)
+                           : solve(plan, progress, kept, team);
+  if (planned.moving && !planned.pulse_by_pulse()) refer_to_antennas(planned.c, *planned.moving, result);
   manifest.warnings = warnings_of_result(planned, result.statistics);
   manifest.statistics = result.statistics;
   manifest.model_parts = result.model_parts;
   for (ModelPart& part : manifest.model_parts) part.rows.clear();
   return result;
+}
+
+void solve_shard_of_case(const PlannedCase& planned, const Shard& shard, const std::function<bool(double)>& progress,
+                         const KeptLooks& kept, WorkTeam* team) {
+  if (planned.pulse_by_pulse())
+    solve_shard_of_pulses(planned.c, *planned.moving, shard, planned.plan.threads, progress, kept, team);
+  else
+    solve_shard(planned.plan, shard, progress, kept, team);
+}
+
+void help_to_solve_case(const Case& c, const Target& target, int threads, bool keep_parts, WorkTeam& team,
+                        const std::function<bool(double)>& progress, const std::shared_ptr<const MovingTarget>& moving) {
+  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(c, *moving, threads, team, progress);
+  const Case part = moving ? case_of_plan(c, *moving) : c;
+  help_to_solve(plan_of_case(target, part, threads, keep_parts), team, progress);
 }
 
 }  // namespace raytube

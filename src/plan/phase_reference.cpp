@@ -28,11 +28,14 @@ Complex from_plane_waves(const TriangleMesh& mesh, const Look& look, const Radar
                     -wavenumber(frequency) * (arriving.path + received.path));
 }
 
-Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
-  if (!look.far()) return 1.0;
-  const long double path = along(look.receive, mesh.center) + along(look.transmit, mesh.center);
+Complex shifted_phase(const dvec3& shift, const Look& look, double frequency) {
+  const long double path = along(look.receive, shift) + along(look.transmit, shift);
   const long double cycles = path * frequency / speed_of_light;
   return std::polar(1.0, 2.0 * pi * static_cast<double>(cycles - std::round(cycles)));
+}
+
+Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency) {
+  return look.far() ? shifted_phase(mesh.center, look, frequency) : Complex(1.0);
 }
 
 }  // namespace raytube

@@ -8,6 +8,9 @@
 
 namespace raytube {
 
+/// Factor that a shift of all of the target by so much [m] has on the amplitudes of a look from infinity.
+Complex shifted_phase(const dvec3& shift, const Look& look, double frequency);
+
 /// Factor that moves the phase reference from the centre of the mesh to the origin of its own coordinates; 1 at a finite
 /// distance, where that of the antennas lies there already.
 Complex to_mesh_origin(const TriangleMesh& mesh, const Look& look, double frequency);

@@ -67,9 +67,12 @@ void write_wedges(const std::filesystem::path& file, const SolvePlan& plan) {
 void check_case(const CheckRequest& asked) {
   const Case c = read_case(asked.input.file, asked.input.overrides);
   if (!asked.wedge_list.empty()) folder_of_wedges(asked.wedge_list);  // better refused now than after the work
-  LoadedMesh loaded = load_target(c);
+  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
+  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
-  const SolvePlan plan = plan_of_case(target, c, asked.threads > 0 ? asked.threads : all_threads(), false);
+  const int threads = asked.threads > 0 ? asked.threads : all_threads();
+  const Case part = moving ? case_of_plan(c, *moving) : c;
+  const SolvePlan plan = plan_of_case(target, part, threads, false);
   Json data;
   const auto add = [&](const Json& section) {
     if (asked.json)
@@ -77,11 +80,11 @@ void check_case(const CheckRequest& asked) {
     else
       fmt::print("{}", check_text(section));  // at once: what follows takes seconds
   };
-  add(check_data(c, loaded.report, plan));
+  add(check_data(c, loaded.report, plan, moving.get()));
   if (!asked.wedge_list.empty()) write_wedges(asked.wedge_list, plan);
   check_memory(plan, c);  // as a run would
   const MemoryOfRun memory = memory_of_run(plan, c);
-  const TimePrediction time = predicted_time(plan);
+  const TimePrediction time = predicted_time(plan, plans_of(c, moving.get()));
   add(time_data(plan, time));
   if (asked.ranks > 0) add(ranks_data(plan, memory, time, asked.ranks));
   if (asked.json) fmt::print("{}\n", text_of_json(data, 2));

@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "case/read_case.h"
+#include "case/target.h"
 #include "core/threads.h"
 #include "jobs/shared_work.h"
-#include "jobs/solvable.h"
+#include "jobs/solve_case.h"
 #include "mesh/model/mesh_bytes.h"
 #include "ranks/ranks.h"
-#include "solve/solve.h"
 
 namespace raytube {
 
@@ -50,8 +50,8 @@ void help_leader(const Work& work, const CaseInput& input, const JournalIdentity
 
 void help_to_run(const RunOptions& run) {
   help_leader(run.work, run.input, {}, [&](const Case& c, const Target& target) {
-    const SolvePlan plan = plan_of_case(target, c, run.work.threads, run.parts);
-    help_to_solve(plan, run.work.ranks->team());
+    const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
+    help_to_solve_case(c, target, run.work.threads, run.parts, run.work.ranks->team(), {}, moving);
   });
 }
 

@@ -18,6 +18,8 @@ struct Skipped {
   std::string what;         // in words
   std::string why;          // the reason, and a remedy where there is one
   std::uint64_t count = 0;  // how often
+  /// All members, as bytes are made of them (core/bytes.h).
+  static void members(auto& s, auto&& take) { take(s.what), take(s.why), take(s.count); }
 };
 
 /// Rows in which a mechanism exceeds what the size of the target allows it (solve/physical_bound.h): they are wrong.
@@ -26,6 +28,8 @@ struct BeyondBound {
   std::uint64_t rows = 0;   // so many
   std::uint64_t worst = 0;  // the one that exceeds it most
   double ratio = 0.0;       // of the amplitude there to its bound
+  /// All members, as bytes are made of them.
+  static void members(auto& b, auto&& take) { take(b.part), take(b.rows), take(b.worst), take(b.ratio); }
 };
 
 /// A ray that met a closed body from inside, or left a surface without a direction.
@@ -96,6 +100,10 @@ struct MechanismUse {
   std::string why_not;                         // if it did not
   std::uint64_t looks = 0, looks_without = 0;  // computed looks with it, and without
   double most_db = 0.0;                        // by which it was expected to move a row without it at most [dB]
+  /// All members, as bytes are made of them.
+  static void members(auto& m, auto&& take) {
+    take(m.name), take(m.label), take(m.key), take(m.on), take(m.why_not), take(m.looks), take(m.looks_without), take(m.most_db);
+  }
 };
 
 /// What happened during a solve; every ray is accounted for.
@@ -118,6 +126,12 @@ struct Statistics {
   std::vector<MechanismUse> mechanisms;   // beside the tubes, in the order in which they run
   std::vector<BeyondBound> beyond_bound;  // none in a sound solve
   double solve_s = 0.0;                   // mesh and BVH ready -> last sum
+  /// All members, as bytes are made of them.
+  static void members(auto& s, auto&& take) {
+    take(s.tubes), take(s.rays), take(s.hits), take(s.lost_rays), take(s.looks_with_lost_rays), take(s.first_lost_rays);
+    take(s.truncated), take(s.sliver_area), take(s.wedges), take(s.thin_plate_edges_lowest), take(s.thin_plate_edges_highest);
+    take(s.counts), take(s.paths), take(s.ray_range), take(s.skipped), take(s.mechanisms), take(s.beyond_bound), take(s.solve_s);
+  }
 
   /// A count of a mechanism by its name in run.json; 0 if there is none.
   std::uint64_t counted(std::string_view what) const { return count_named(counts, what); }
@@ -132,12 +146,18 @@ struct ModelPart {
   double share = 0.0;                 // of the sum of the squares of all parts, 0 ... 1
   std::uint64_t rows_largest = 0;     // rows in which no other part is larger
   std::vector<ChannelErrors> rows{};  // [row] [m]; empty unless parts are kept
+  /// All members, as bytes are made of them.
+  static void members(auto& p, auto&& take) {
+    take(p.name), take(p.what), take(p.remedy), take(p.rms), take(p.share), take(p.rows_largest), take(p.rows);
+  }
 };
 
 /// What adds to S in one column of parts.csv.
 struct MechanismRows {
   std::string name;                    // of the column
   std::vector<ScatteringMatrix> rows;  // [row] [m]
+  /// All members, as bytes are made of them.
+  static void members(auto& m, auto&& take) { take(m.name), take(m.rows); }
 };
 
 /// Complex amplitudes of a sweep, one entry per row (Sweep::row), kept apart by mechanism. At a finite distance they are apparent
@@ -163,6 +183,11 @@ struct SweepResult {
 
   std::vector<std::array<double, 2>> incoherent;  // sigma of rough surfaces for transmitted V and H [m^2]; empty: there are none
   Statistics statistics;                          // counts and times
+  /// All members, as bytes are made of them.
+  static void members(auto& r, auto&& take) {
+    take(r.total), take(r.error), take(r.model), take(r.model_parts), take(r.bounces), take(r.mechanisms), take(r.incoherent);
+    take(r.statistics);
+  }
 };
 
 }  // namespace raytube

@@ -18,6 +18,7 @@
 #include "plan/plan.h"
 #include "plan/target.h"
 #include "scene/results.h"
+#include "solve/shard.h"
 
 namespace raytube {
 
@@ -27,17 +28,6 @@ namespace raytube {
 /// of the one that leads. Throws Interrupted when `progress` says stop.
 SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& progress = {}, const KeptLooks& kept = {},
                   WorkTeam* team = nullptr);
-
-/// One part of a sweep's looks: of those that are computed every count-th one, from `index` on.
-struct Shard {
-  std::size_t index = 0;  // from 0
-  std::size_t count = 1;  // of parts
-
-  /// True for a look of this part, by its place among those that are computed.
-  bool has(std::size_t look) const { return look % count == index; }
-  /// How many of so many looks it has.
-  std::size_t size(std::size_t looks) const { return looks > index ? (looks - index - 1) / count + 1 : 0; }
-};
 
 /// The looks of a shard into the hands of `kept` alone: a later solve() that has those of all shards computes none. Otherwise as
 /// solve().

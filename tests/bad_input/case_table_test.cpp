@@ -334,6 +334,56 @@ std::vector<BadRow> word_rows() {
   };
 }
 
+// A case with this section [motion].
+BadRow motion(const std::string& name, const std::string& section, const std::string& says) {
+  return text("motion_" + name, good_case + "[motion]\n" + section, says);
+}
+
+std::vector<BadRow> motion_rows() {
+  const std::string pulses = "pulses = { interval_s = 1e-3, count = 4 }\n", body = pulses + "[motion.bodies.a]\n";
+  return {
+      motion("empty", "", "[motion] does not say when; add pulses = {"),
+      motion("twice_when", pulses + "times_s = 0\n", "motion.times_s and motion.pulses both say when"),
+      motion("no_interval", "pulses = { count = 4 }\n", "motion.pulses.interval_s is missing"),
+      motion("interval_in_ms", "pulses = { interval_ms = 1, count = 4 }\n",
+             "unknown key \"motion.pulses.interval_ms\"; did you mean \"interval_s\"?"),
+      motion("interval_0", "pulses = { interval_s = 0, count = 4 }\n", "interval_s must be greater than 0"),
+      motion("half_a_pulse", "pulses = { interval_s = 1, count = 1.5 }\n", "motion.pulses.count must be a whole number"),
+      motion("endless", "pulses = { interval_s = 1, count = 1e8 }\n", "motion.pulses.count must be a whole number from 1 to"),
+      motion("times_fall", "times_s = [1, 0]\n", "motion.times_s must ascend"),
+      motion("bodies_no_table", pulses + "bodies = 3\n", "motion.bodies must be a section; write [motion.bodies.NAME]"),
+      motion("body_no_table", pulses + "bodies = { a = 3 }\n", "motion.bodies.a must be a section"),
+      motion("speed_in_km_per_h", body + "velocity_km_per_h = [1, 0, 0]\n", "unknown key \"motion.bodies.a.velocity_km_per_h\""),
+      motion("speed_a_number", body + "velocity_m_per_s = 3\n", "motion.bodies.a.velocity_m_per_s"),
+      motion("faster_than_anything", body + "velocity_m_per_s = [1e7, 0, 0]\n", "above 3e+06 m/s motion changes more of a wave"),
+      motion("no_axis", body + "rev_per_min = 3\n", "motion.bodies.a.axis is missing; write for example axis = [0, 0, 1]"),
+      motion("axis_0", body + "axis = [0, 0, 0]\nrev_per_min = 3\n", "motion.bodies.a.axis must not be the zero vector"),
+      motion("axis_of_nothing", body + "axis = [0, 0, 1]\n", "motion.bodies.a.axis turns nothing; add rev_per_min"),
+      motion("two_rates", body + "axis = [0, 0, 1]\nrev_per_min = 3\ndeg_per_s = 3\n", "deg_per_s and rev_per_min say the same"),
+      motion("no_such_part", body + "parts = \"wheel\"\n",
+             "\"wheel\" is not a name in the mesh; there are no names to choose among"),
+      motion("no_parts", body + "parts = []\n", "motion.bodies.a.parts is an empty list"),
+      motion("on_nothing", body + "on = \"b\"\n", "motion.bodies.a.on \"b\" is not in [motion.bodies]"),
+      motion("on_itself", body + "on = \"a\"\n", "bodies carry one another in a circle"),
+      motion("two_rests", body + "[motion.bodies.b]\n", "motion.bodies.a and motion.bodies.b both name no parts"),
+      motion("one_pose", body + "poses = [[0, 0, 0, 0]]\n", "must be a list of at least two poses [time_s, x_m,"),
+      motion("poses_fall", body + "poses = [[1, 0, 0, 0], [0, 0, 0, 0]]\n", "times must ascend"),
+      motion("no_unit_quaternion", body + "poses = [[0, 0, 0, 0, 1, 1, 0, 0], [1, 0, 0, 0, 1, 0, 0, 0]]\n",
+             "must make a unit quaternion"),
+      motion("poses_too_short", body + "poses = [[0, 0, 0, 0], [0.002, 1, 0, 0]]\n",
+             "has poses from 0 s to 0.002 s, but [motion] asks for 0.003 s"),
+      motion("no_table_of_poses", body + "poses_csv = \"none.csv\"\n",
+             "poses_csv must name a readable CSV file with the header time_s,"),
+      motion("track_of_nothing", pulses + "[motion.radar]\nvelocity_m_per_s = [1, 0, 0]\n",
+             "[motion.radar] moves antennas from radar.position_m"),
+      motion("and_images", pulses + "[output]\nimage_look = 0\n", "output.image_look needs a scene that stands"),
+      with_file("motion_centres", "bad.toml", good_case + "[motion]\n" + pulses, "centres bad.toml",
+                "this needs a scene that stands"),
+      with_file("motion_converge", "bad.toml", good_case + "[motion]\n" + pulses, "converge bad.toml",
+                "this needs a scene that stands"),
+  };
+}
+
 std::vector<BadRow> override_rows() {
   return {
       set("set_without_value", "tubes.mode", "--set tubes.mode: no KEY=VALUE; write"),
@@ -393,6 +443,7 @@ INSTANTIATE_TEST_SUITE_P(CaseText, BadTable, ::testing::ValuesIn(text_rows()), r
 INSTANTIATE_TEST_SUITE_P(CaseValues, BadTable, ::testing::ValuesIn(value_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Verdicts, BadTable, ::testing::ValuesIn(verdict_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseWords, BadTable, ::testing::ValuesIn(word_rows()), row_name);
+INSTANTIATE_TEST_SUITE_P(Motion, BadTable, ::testing::ValuesIn(motion_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(Overrides, BadTable, ::testing::ValuesIn(override_rows()), row_name);
 INSTANTIATE_TEST_SUITE_P(CaseFiles, BadTable, ::testing::ValuesIn(file_rows()), row_name);
 

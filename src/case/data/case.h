@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/motion.h"
 #include "scene/options.h"
 #include "scene/sweep.h"
 
@@ -77,6 +78,19 @@ struct MaterialAssignment {
   std::vector<Facets> facets;  // ascending, and no facet in two of them
 };
 
+/// The motion section as the user gave it: pulses, or a list of times.
+struct MotionChoice {
+  double start_s = 0.0, interval_s = 0.0;  // of pulses
+  std::size_t pulses = 0;                  // how many; 0: times are listed
+  std::vector<double> times_s;             // listed
+  std::optional<BodyMotion> radar;         // of the antennas, if they move: its velocity and its places
+  std::string location;                    // of the section: file and line, or option
+  Motion motion;                           // bodies; their names in the mesh are not checked yet
+
+  /// How many times there are.
+  std::size_t times() const { return pulses > 0 ? pulses : times_s.size(); }
+};
+
 /// A key of a section, and where it is written: file and line, or option.
 struct WrittenKey {
   std::string name, location;
@@ -98,6 +112,7 @@ struct Case {
   LookChoice looks;
   RadarChoice radar;
   std::optional<Ground> ground;  // below the target; none: free space
+  std::optional<MotionChoice> motion;  // sweep.times are there, and the looks of all of these; none: everything stands
   TubeOptions tubes;
   EdgeOptions edges;
   std::vector<WrittenKey> edge_keys;  // of [edges] that are written

@@ -30,10 +30,6 @@ Direction direction_of(const dvec3& position) {
   return {std::atan2(std::hypot(position.x, position.y), position.z), std::atan2(position.y, position.x)};
 }
 
-Look look_between(const dvec3& transmit, const dvec3& receive) {
-  return {direction_of(transmit), direction_of(receive), glm::length(transmit), glm::length(receive)};
-}
-
 void read_beamwidth(const CaseValue& value, Case& c) {
   const std::string key = "radar.beamwidth_deg";
   if (value.kind == CaseValue::Kind::list) {
@@ -99,6 +95,10 @@ void read_link(const CaseValue& section, Case& c) {
 }
 
 }  // namespace
+
+Look look_between(const dvec3& transmit, const dvec3& receive) {
+  return {direction_of(transmit), direction_of(receive), glm::length(transmit), glm::length(receive)};
+}
 
 bool has_positions(const CaseValue& root) { return find(root, "radar.position_m") != nullptr; }
 

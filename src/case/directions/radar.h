@@ -9,6 +9,9 @@ namespace raytube {
 /// True if the antennas' positions stand in place of [look] and [receive].
 bool has_positions(const CaseValue& root);
 
+/// The look of antennas at two places [m], in the mesh's own coordinates.
+Look look_between(const dvec3& transmit, const dvec3& receive);
+
 /// Fills c.radar and c.sweep.looks from radar.position_m and radar.receive_position_m. Throws
 /// InputError.
 void read_positions(const CaseValue& root, Case& c);

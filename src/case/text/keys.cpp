@@ -20,6 +20,10 @@ constexpr std::array<std::string_view, 12> material_keys = {
     "medium",       "kind",  "layers", "resistance_ohm", "conductance_s",        "roughness_rms_mm"};
 constexpr std::span<const std::string_view> layer_keys = std::span(material_keys).first(7);
 
+// Of [motion.bodies.NAME].
+constexpr std::array<std::string_view, 10> body_keys = {"parts",       "on",        "velocity_m_per_s", "axis",  "through_m",
+                                                        "rev_per_min", "deg_per_s", "angle_deg",        "poses", "poses_csv"};
+
 bool contains(std::span<const std::string_view> keys, std::string_view key) { return std::ranges::find(keys, key) != keys.end(); }
 
 bool is_above(std::string_view key, std::span<const std::string_view> names) {
@@ -73,7 +77,8 @@ std::string choice_beside(std::string_view key, std::span<const std::string_view
 
 // Asks whether the nearest key was meant; a key that ends in another unit, such as range_mm for range_m, is no slip of the pen.
 std::string nearest_text(std::string_view key, std::string_view nearest) {
-  constexpr std::array<std::string_view, 12> units = {"m", "mm", "cm", "um", "km", "in", "ft", "deg", "rad", "ghz", "mhz", "hz"};
+  constexpr std::array<std::string_view, 15> units = {"m",   "mm",  "cm",  "um", "km", "in", "ft", "deg",
+                                                      "rad", "ghz", "mhz", "hz", "s",  "ms", "us"};
   const auto end_of = [](std::string_view name) { return name.rfind('_') + 1; };
   const auto has_unit = [&](std::string_view name) { return end_of(name) > 0 && contains(units, name.substr(end_of(name))); };
   const bool other_unit = has_unit(key) && has_unit(nearest) && key.substr(0, end_of(key)) == nearest.substr(0, end_of(nearest));
@@ -126,6 +131,11 @@ void check_keys_among(const CaseValue& table, std::span<const std::string_view> 
     }
 }
 
+void check_body(const CaseValue& body, const std::string& path) {
+  if (body.kind != CaseValue::Kind::table) reject(body, fmt::format("{0} must be a section; write [{0}]", path));
+  check_keys_among(body, body_keys, path);
+}
+
 void check_material(const CaseValue& material, const std::string& path) {
   if (material.kind != CaseValue::Kind::table) reject(material, fmt::format("{0} must be a section; write [{0}]", path));
   check_keys_among(material, material_keys, path);
@@ -170,6 +180,12 @@ void check_material_keys(const CaseValue& materials) {
     reject(materials, "materials must be a section; write [materials.NAME] for each material");
   for (std::size_t i = 0; i < materials.keys.size(); ++i)
     check_material(materials.items[i], "materials." + quotable(materials.keys[i]));
+}
+
+void check_body_keys(const CaseValue& bodies) {
+  if (bodies.kind != CaseValue::Kind::table)
+    reject(bodies, "motion.bodies must be a section; write [motion.bodies.NAME] for each body");
+  for (std::size_t i = 0; i < bodies.keys.size(); ++i) check_body(bodies.items[i], "motion.bodies." + quotable(bodies.keys[i]));
 }
 
 }  // namespace raytube

@@ -24,6 +24,9 @@ void check_keys(const CaseValue& root, const KnownKeys& known);
 /// The same for the keys inside [materials].
 void check_material_keys(const CaseValue& materials);
 
+/// The same for the keys inside [motion.bodies].
+void check_body_keys(const CaseValue& bodies);
+
 /// The one of `known` dotted keys that `key` was most likely meant to be; empty if none is near.
 std::string_view nearest_key(std::string_view key, std::span<const std::string_view> known);
 

@@ -23,7 +23,7 @@ struct Manifest {
   std::vector<std::string> mesh_sha256;                               // of each mesh file, then of the files that these name
   std::string looks_csv_sha256;                                       // empty: no look list
   std::string pattern_csv_sha256;                                     // empty: no antenna pattern
-  std::vector<std::pair<std::string, std::string>> table_csv_sha256;  // of each table of a medium: its name first
+  std::vector<std::pair<std::string, std::string>> table_csv_sha256;  // of each table of a medium or of poses: its name first
   std::string embree_instruction_set, own_instruction_set;
   int threads = 1;
   std::vector<std::pair<std::string, double>> mesh_report;  // name and count, in the order they are written

@@ -35,7 +35,7 @@ void merge_shards(const MergeRequest& asked) {
   check_output(destination.folder, names_of_results(run, c, destination), input_files(c));
   LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));
   PreparedRun prepared = prepared_run(run, read, c, total);
-  const std::size_t looks = prepared.planned->plan.looks.computed.size();
+  const std::size_t looks = prepared.planned->items();
   shards.require(identity_of(c, prepared.manifest), looks);
   const MergedLooks merged{shards.looks(), looks};
   run_into_folder({run, prepared, destination, &merged, nullptr, total});

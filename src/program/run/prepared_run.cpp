@@ -63,7 +63,8 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 }
 
 PreparedRun prepared_run(const RunOptions& asked, const Case& read, const Case& c, const Stopwatch& total) {
-  LoadedMesh loaded = load_target(c);
+  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
+  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
   share_work(asked.work, {}, c, loaded.mesh);
   warn_of_reading(c, loaded.report);
   PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}, {}};
@@ -73,7 +74,8 @@ PreparedRun prepared_run(const RunOptions& asked, const Case& read, const Case& 
   run_on_threads(manifest.threads, [&] { run.target = std::make_shared<const Target>(std::move(loaded.mesh), c.wedges); });
   manifest.time.build_s = total.seconds() - manifest.time.read_s;
   run.outermost = outermost_points(run.target->mesh.vertices);
-  run.planned = std::make_unique<const PlannedCase>(run.c, *run.target, run.report, run.outermost, manifest.threads, asked.parts);
+  run.planned =
+      std::make_unique<const PlannedCase>(run.c, *run.target, run.report, run.outermost, manifest.threads, asked.parts, moving);
   warn_of_materials(c, run.report, *run.target, manifest);
   manifest.embree_instruction_set = name_of(allowed_instruction_set());
   manifest.own_instruction_set = name_of(std::max(allowed_instruction_set(), InstructionSet::avx2));

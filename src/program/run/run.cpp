@@ -76,8 +76,7 @@ void run_case(const RunOptions& run, Product* product) {
   if (!run.resume) LookJournal::refuse_leftover(LookJournal::file_in(destination.folder));
   PreparedRun prepared = prepared_run(run, read, c, total);
   if (run.resume && is_finished(run, prepared, destination)) {
-    if (WorkTeam* const team = team_of(run.work))
-      TeamMember(*team, std::vector(prepared.planned->plan.looks.computed.size(), true), {}).finish();
+    if (WorkTeam* const team = team_of(run.work)) TeamMember(*team, std::vector(prepared.planned->items(), true), {}).finish();
     if (product) {
       RunOptions finished = run;
       finished.input = {result_in(destination.folder), {}};

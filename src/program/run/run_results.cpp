@@ -34,7 +34,7 @@ SweepResult solve(const RunTask& task, LookJournal& journal) {
   const SolvePlan& plan = task.prepared.planned->plan;
   Manifest& manifest = task.prepared.manifest;
   manifest.looks_resumed = task.merged ? task.merged->count : journal.resumed();
-  const std::size_t looks = plan.looks.computed.size();
+  const std::size_t looks = task.prepared.planned->items();
   const std::string work = fmt::format("solving {} at {} on {}", count_text(looks, "look"),
                                        count_text(plan.sweep.frequencies.size(), "frequency", "frequencies"),
                                        count_text(static_cast<std::uint64_t>(manifest.threads), "thread"));

@@ -68,8 +68,7 @@ void refuse_others(const fs::path& folder, const Shard& shard) {
 
 // The progress bar counts the looks of this shard alone.
 void compute(const RunOptions& asked, const PreparedRun& prepared, const Shard& shard, LookJournal& journal) {
-  const SolvePlan& plan = prepared.planned->plan;
-  const std::size_t looks = shard.size(plan.looks.computed.size());
+  const std::size_t looks = shard.size(prepared.planned->items());
   ProgressBar bar(asked.work.quiet, fmt::format("shard {}: {}", shard_text(shard), looks_text(looks)),
                   looks > 0 ? static_cast<double>(journal.resumed()) / static_cast<double>(looks) : 1.0);
   const auto progress = [&](double share) {
@@ -77,7 +76,7 @@ void compute(const RunOptions& asked, const PreparedRun& prepared, const Shard& 
     return bar.show(share);
   };
   try {
-    solve_shard(plan, shard, progress, journal.looks(), team_of(asked.work));
+    solve_shard_of_case(*prepared.planned, shard, progress, journal.looks(), team_of(asked.work));
     if (asked.work.ranks) asked.work.ranks->end();
     journal.complete();
   } catch (const Interrupted&) {
@@ -133,7 +132,7 @@ void run_shard(const RunOptions& asked, const Case& c, const Stopwatch& total) {
   compute(asked, prepared, shard, journal);
   if (!asked.work.quiet)
     fmt::print("shard {}    {} in {}; when all shards are done: raytube merge {}\n", shard_text(shard),
-               looks_text(shard.size(prepared.planned->plan.looks.computed.size())), file.string(), folder.string());
+               looks_text(shard.size(prepared.planned->items())), file.string(), folder.string());
 }
 
 }  // namespace raytube

@@ -1,0 +1,48 @@
+// The target of a case that moves, at whatever time.
+#pragma once
+
+#include "case/data/case.h"
+#include "mesh/load.h"
+
+namespace raytube {
+
+/// Polygons of a case and the body that each of them is part of. At every time the mesh is mended as if its file had the bodies
+/// where they are then: what touches is welded, what comes apart is not.
+class MovingTarget {
+ public:
+  /// `soup` with names and materials, as read_target gives it. Throws InputError for a part that is not in the mesh, and for a
+  /// polygon of two bodies.
+  MovingTarget(PolygonSoup soup, const Case& c);
+
+  /// All of it has one pose at any time, so that nothing changes but where it is seen from.
+  bool moves_as_one() const { return as_one_; }
+  /// Nothing of it moves at all.
+  bool stands() const { return as_one_ && mover_ == no_body; }
+  /// Where all of it is then, if it moves as one.
+  Pose pose(double time) const { return pose_of(motion_, mover_, time); }
+
+  /// As the file has it.
+  LoadedMesh at_rest() const;
+  /// With every body where it is at a time [s]. Throws InputError, with that time, for what cannot be there.
+  LoadedMesh at(double time) const;
+
+  /// A sentence for each two bodies that are apart in the file and run into one another at one of these times; one that tells how
+  /// short the interval would have to be, if between two neighbours among them the path over some place changes by more than half
+  /// a wavelength, so that its Doppler frequency is ambiguous. Empty: neither.
+  std::vector<std::string> warnings(const Sweep& sweep) const;
+
+ private:
+  std::vector<dvec3> points_at(double time) const;
+  std::vector<std::string> meetings(const std::vector<double>& times) const;
+  std::string ambiguity(const Sweep& sweep) const;
+
+  Case case_;  // without looks
+  Motion motion_;
+  PolygonSoup soup_;                          // no point of it is part of two bodies
+  std::vector<std::size_t> body_of_point_;    // [point] among the bodies; no_body: it stands
+  std::vector<std::size_t> body_of_polygon_;  // [polygon] likewise
+  std::size_t mover_ = no_body;
+  bool as_one_ = false;
+};
+
+}  // namespace raytube

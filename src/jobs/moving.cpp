@@ -1,0 +1,194 @@
+#include "jobs/moving.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "core/bytes.h"
+#include "jobs/joined_results.h"
+#include "jobs/solvable.h"
+#include "plan/phase_reference.h"
+#include "solve/shared_items.h"
+
+namespace raytube {
+
+namespace {
+
+std::size_t looks_of_pulse(const Case& c) { return c.sweep.looks.size() / c.motion->times(); }
+
+Direction direction_towards(const dvec3& v) { return {std::atan2(std::hypot(v.x, v.y), v.z), std::atan2(v.y, v.x)}; }
+
+bool turns(const Pose& pose) { return pose.turn != dmat3(1.0); }
+
+// Seen from a body that is turned and shifted.
+Look seen_from(const Pose& pose, Look look) {
+  if (!turns(pose)) return look;
+  const bool monostatic = look.transmit == look.receive;
+  const auto turned = [&](const Direction& from) { return direction_towards(spherical_basis(from).radial * pose.turn); };
+  look.transmit = turned(look.transmit);
+  look.receive = monostatic ? look.transmit : turned(look.receive);
+  return look;
+}
+
+using Basis = std::array<std::array<double, 2>, 2>;  // [of the body][of the antennas]
+
+// V and H of a direction of the antennas in those of the same one as the body sees it.
+Basis turned_basis(const Direction& antennas, const Direction& body, const dmat3& turn) {
+  const SphericalBasis a = spherical_basis(antennas), b = spherical_basis(body);
+  const dvec3 v = a.theta_hat * turn, h = a.phi_hat * turn;
+  return {{{glm::dot(b.theta_hat, v), glm::dot(b.theta_hat, h)}, {glm::dot(b.phi_hat, v), glm::dot(b.phi_hat, h)}}};
+}
+
+// A change of bases from both sides: of amplitudes by their signs, of errors by magnitude, which bounds them.
+template <class Row, class Factor>
+Row turned(const Row& body, const Basis& receive, const Basis& transmit, Factor factor, auto at) {
+  Row antennas{};
+  for (int p = 0; p < 2; ++p)
+    for (int q = 0; q < 2; ++q)
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) at(antennas, p, q) += factor(receive[i][p]) * at(body, i, j) * factor(transmit[j][q]);
+  return antennas;
+}
+
+std::size_t pulse_items(const Case& c) { return c.motion->times(); }
+
+void drop_parts(SweepResult& result) {
+  result.bounces.clear(), result.mechanisms.clear();
+  for (ModelPart& part : result.model_parts) part.rows.clear();
+}
+
+std::string bytes_of(const SweepResult& result) {
+  ByteWriter writer;
+  writer(result);
+  return writer.take();
+}
+
+// Mechanisms are kept apart whether asked for or not, so that what is kept serves both.
+SharedItems<SweepResult> pulses_of(const Case& c, const MovingTarget& target, int threads) {
+  const std::size_t all = static_cast<std::size_t>(threads > 0 ? threads : all_threads());
+  const int within = static_cast<int>(std::max<std::size_t>(1, all / pulse_items(c)));
+  const std::size_t rows = looks_of_pulse(c) * c.sweep.frequencies.size();
+  return {pulse_items(c), threads,
+          [&c, &target, within](std::size_t pulse, Progress& progress, double share) {
+            const Case then = case_of_pulse(c, pulse);
+            const Target posed(target.at(c.sweep.times[pulse * looks_of_pulse(c)]).mesh, then.wedges);
+            double told = 0.0;
+            SweepResult result = solve(plan_of_case(posed, then, within, true), [&](double done) {
+              progress.add(share * std::max(0.0, done - std::exchange(told, std::max(told, done))));
+              return true;
+            });
+            stop_if_cancelled();
+            progress.add(share * (1.0 - told));
+            return result;
+          },
+          bytes_of,
+          [rows](const std::string& bytes) -> std::optional<SweepResult> {
+            SweepResult result;
+            ByteReader reader(bytes);
+            reader(result);
+            if (!reader.fits() || result.total.size() != rows) return {};
+            return result;
+          }};
+}
+
+}  // namespace
+
+bool is_one_plan(const Case& c, const MovingTarget& target) {
+  if (!target.moves_as_one()) return false;
+  return target.stands() || (!c.ground && std::ranges::all_of(c.sweep.looks, &Look::far));
+}
+
+Case case_of_pulse(const Case& c, std::size_t pulse) {
+  Case then = c;
+  const std::size_t looks = looks_of_pulse(c);
+  const auto first = c.sweep.looks.begin() + static_cast<std::ptrdiff_t>(pulse * looks);
+  then.sweep.looks.assign(first, first + static_cast<std::ptrdiff_t>(looks));
+  then.sweep.times.clear();
+  then.motion.reset();
+  return then;
+}
+
+Case case_of_plan(const Case& c, const MovingTarget& target) {
+  if (!is_one_plan(c, target)) return case_of_pulse(c, 0);
+  Case body = c;
+  for (std::size_t i = 0; i < body.sweep.looks.size(); ++i)
+    body.sweep.looks[i] = seen_from(target.pose(c.sweep.times[i]), c.sweep.looks[i]);
+  body.sweep.times.clear();
+  body.motion.reset();
+  return body;
+}
+
+LoadedMesh mesh_of_plan(const Case& c, const MovingTarget& target) {
+  return is_one_plan(c, target) ? target.at_rest() : target.at(c.sweep.times.front());
+}
+
+void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& result) {
+  if (target.stands()) return;
+  const Sweep& sweep = c.sweep;
+  for (std::size_t look = 0; look < sweep.looks.size(); ++look) {
+    const Look& asked = sweep.looks[look];
+    const Pose pose = target.pose(sweep.times[look]);
+    const Look body = seen_from(pose, asked);
+    const Basis receive = turned_basis(asked.receive, body.receive, pose.turn),
+                transmit = turned_basis(asked.transmit, body.transmit, pose.turn);
+    for (std::size_t f = 0; f < sweep.frequencies.size(); ++f) {
+      const std::size_t row = sweep.row(look, f);
+      const Complex phase = shifted_phase(pose.shift, asked, sweep.frequencies[f]);
+      const auto refer = [&](ScatteringMatrix& s) {
+        if (turns(pose))
+          s = turned(
+              s, receive, transmit, std::identity(), [](auto& m, int p, int q) -> auto& { return m.s[p][q]; });
+        s *= phase;
+      };
+      const auto refer_error = [&](ChannelErrors& e) {
+        if (turns(pose))
+          e = turned(
+              e, receive, transmit, [](double x) { return std::abs(x); }, [](auto& m, int p, int q) -> auto& { return m[p][q]; });
+      };
+      refer(result.total[row]);
+      for (std::vector<ScatteringMatrix>& column : result.bounces) refer(column[row]);
+      for (MechanismRows& mechanism : result.mechanisms)
+        if (!mechanism.rows.empty()) refer(mechanism.rows[row]);
+      refer_error(result.error[row]), refer_error(result.model[row]);
+      for (ModelPart& part : result.model_parts)
+        if (!part.rows.empty()) refer_error(part.rows[row]);
+      if (result.incoherent.empty() || !turns(pose)) continue;
+      const std::array<double, 2> sigma = result.incoherent[row];
+      for (int q = 0; q < 2; ++q)
+        result.incoherent[row][q] = transmit[0][q] * transmit[0][q] * sigma[0] + transmit[1][q] * transmit[1][q] * sigma[1];
+    }
+  }
+}
+
+SweepResult solve_pulses(const Case& c, const MovingTarget& target, int threads, bool keep_parts,
+                         const std::function<bool(double)>& progress, const KeptLooks& kept, WorkTeam* team) {
+  const auto start = std::chrono::steady_clock::now();
+  if (kept.begin) kept.begin(pulse_items(c));
+  std::vector<SweepResult> found(pulse_items(c));
+  compute_shared<SweepResult>(pulses_of(c, target, threads), {}, progress, kept, team,
+                              [&](std::size_t pulse, const SweepResult& result) {
+                                found[pulse] = result;
+                                if (!keep_parts) drop_parts(found[pulse]);
+                              });
+  SweepResult all = joined_results(std::move(found), looks_of_pulse(c));
+  all.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return all;
+}
+
+void solve_shard_of_pulses(const Case& c, const MovingTarget& target, const Shard& shard, int threads,
+                           const std::function<bool(double)>& progress, const KeptLooks& kept, WorkTeam* team) {
+  const std::size_t own = shard.size(pulse_items(c));
+  if (kept.begin) kept.begin(own);
+  if (own > 0 || team) compute_shared<SweepResult>(pulses_of(c, target, threads), shard, progress, kept, team, {});
+}
+
+void help_to_solve_pulses(const Case& c, const MovingTarget& target, int threads, WorkTeam& team,
+                          const std::function<bool(double)>& progress) {
+  const KeptLooks given{
+      .begin = {}, .find = {}, .keep = [&team](std::size_t index, std::string bytes) { team.give(index, std::move(bytes)); }};
+  compute_shared<SweepResult>(pulses_of(c, target, threads), {}, progress, given, &team, {});
+}
+
+}  // namespace raytube
