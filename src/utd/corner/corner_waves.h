@@ -4,6 +4,7 @@
 // and the other way round. Strips (utd/multiple) do not have it: their currents start on edges, not at corners.
 //   radial_wave      fields on the unit sphere, of which those of a corner are made
 //   order_nodes      the orders over which these are summed
+//   radial_basis     those sums, of few functions
 //   sheet_corner     one corner of a sheet, exactly
 //   solid_corner     one corner of three faces of a solid, exactly
 //   wedge_ends       which wedges meet where

@@ -96,8 +96,10 @@ SheetCorner::SheetCorner(double angle) : half_angle_(angle / 2), sources_(source
   // The densities' roots at the edge: a sum over all functions, with their values or slopes there.
   const Eigen::VectorXcd soft_end = Eigen::VectorXcd::Constant(functions, std::sqrt(angle) / 4);
   const Eigen::VectorXcd hard_end = Eigen::VectorXcd::LinSpaced(functions, 1, functions) / (-2 * std::sqrt(angle));
-  for (const OrderNode& node : nodes_over_orders()) {
-    const RadialWave green(node.nu);
+  const std::vector<OrderNode> nodes = nodes_over_orders();
+  for (std::size_t order = 0; order < nodes.size(); ++order) {
+    const OrderNode& node = nodes[order];
+    const RadialWave& green = RadialBasis::of_all_orders().wave(order);
     const Kernels kernels(arc.s, logs, node.nu, green);
     const Complex eigenvalue = node.nu * node.nu - 0.25;
     const ComplexMatrix soft = arc.soft * kernels.value * arc.soft.transpose() / arc.step;
@@ -107,13 +109,13 @@ SheetCorner::SheetCorner(double angle) : half_angle_(angle / 2), sources_(source
     const Eigen::VectorXcd soft_sources = fine.soft.transpose() * soft.partialPivLu().solve(soft_end);
     const Eigen::VectorXcd hard_sources = fine.hard.transpose() * hard.partialPivLu().solve(hard_end);
     for (int i = 0; i < sources; ++i) {
-      sources_[i].soft.add(node.weight * soft_sources[i], green);
-      sources_[i].hard.add(node.weight * hard_sources[i], green);
+      sources_[i].soft.add(node.weight * soft_sources[i], order);
+      sources_[i].hard.add(node.weight * hard_sources[i], order);
     }
   }
 }
 
-std::size_t SheetCorner::bytes() { return sources * (sizeof(Source) + 2 * RadialWave().zone_bytes()); }
+std::size_t SheetCorner::bytes() { return sources * sizeof(Source); }
 
 // The trapezoidal rule loses its digits closer to the sheet than 2.2 times the distance between its points.
 double SheetCorner::nearest_height(const dvec3& towards) const {
@@ -124,10 +126,9 @@ double SheetCorner::nearest_height(const dvec3& towards) const {
 SheetCorner::Gradients SheetCorner::gradients(const dvec3& towards) const {
   Gradients sum;
   for (const Source& source : sources_) {
-    const double cosine = glm::dot(source.point, towards);
-    sum.soft += source.soft.at(cosine).slope * source.point;
-    const RadialWave::Values hard = source.hard.at(cosine);
-    sum.hard += (hard.bend * towards.z) * source.point + hard.slope * dvec3(0, 0, 1);
+    const RadialBasis::Slopes at = RadialBasis::of_all_orders().at(glm::dot(source.point, towards));
+    sum.soft += source.soft.slope(at) * source.point;
+    sum.hard += (source.hard.bend(at) * towards.z) * source.point + source.hard.slope(at) * dvec3(0, 0, 1);
   }
   return sum;
 }

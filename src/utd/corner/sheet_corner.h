@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/complex_vector.h"
-#include "utd/corner/radial_wave.h"
+#include "utd/corner/radial_basis.h"
 
 namespace raytube {
 
@@ -42,7 +42,7 @@ class SheetCorner {
 
   struct Source {
     dvec3 point;
-    RadialWave soft, hard;  // those of unit sources of the two potentials, with what they send along the edge
+    RadialSum soft, hard;  // those of unit sources of the two potentials, with what they send along the edge
   };
   struct Gradients {
     ComplexVector soft, hard;

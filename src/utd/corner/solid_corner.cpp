@@ -143,13 +143,15 @@ SolidCorner::SolidCorner(const SolidCornerShape& shape) {
   const Eigen::VectorXd logarithms = logarithm_weights();
   const Eigen::MatrixXd finer = refinement();
   ComplexMatrix field(crossings, sides.size());
-  for (const OrderNode& node : nodes_over_orders()) {
-    const RadialWave green(node.nu);
+  const std::vector<OrderNode> nodes = nodes_over_orders();
+  for (std::size_t order = 0; order < nodes.size(); ++order) {
+    const OrderNode& node = nodes[order];
+    const RadialWave& green = RadialBasis::of_all_orders().wave(order);
     const Equations equations(sides, logarithms, node.nu, green);
     const Complex factor = node.weight / radial_function(node.nu, m, circle);
     for (int i = 0; i < crossings; ++i) {
-      crossings_[i].soft.add(factor * first_sine[i], green);
-      crossings_[i].hard.add(factor * first_cosine[i], green);
+      crossings_[i].soft.add(factor * first_sine[i], order);
+      crossings_[i].hard.add(factor * first_cosine[i], order);
       for (int j = 0; j < sides.size(); ++j)
         field(i, j) = green.at(glm::dot(crossings_[i].point, sides.position[j])).value * sides.weight[j];
     }
@@ -160,27 +162,27 @@ SolidCorner::SolidCorner(const SolidCornerShape& shape) {
       const Eigen::VectorXcd soft_fine = finer.transpose() * soft_sent.segment(side * side_points, side_points);
       const Eigen::VectorXcd hard_fine = finer.transpose() * hard_sent.segment(side * side_points, side_points);
       for (int i = 0; i < fine_points; ++i) {
-        sources_[side * fine_points + i].soft.add(-factor * soft_fine[i], green);
-        sources_[side * fine_points + i].hard.add(-factor * hard_fine[i], green);
+        sources_[side * fine_points + i].soft.add(-factor * soft_fine[i], order);
+        sources_[side * fine_points + i].hard.add(-factor * hard_fine[i], order);
       }
     }
   }
 }
 
-std::size_t SolidCorner::bytes() { return (3 * fine_points + crossings) * (sizeof(Source) + 2 * RadialWave().zone_bytes()); }
+std::size_t SolidCorner::bytes() { return (3 * fine_points + crossings) * sizeof(Source); }
 
 SolidCorner::Gradients SolidCorner::gradients(const dvec3& towards) const {
+  const RadialBasis& basis = RadialBasis::of_all_orders();
   Gradients sum;
   for (const Source& source : sources_) {
-    const double cosine = glm::dot(source.point, towards);
-    sum.soft += source.soft.at(cosine).slope * source.point;
-    const RadialWave::Values hard = source.hard.at(cosine);
-    sum.hard += (hard.bend * glm::dot(towards, source.normal)) * source.point + hard.slope * source.normal;
+    const RadialBasis::Slopes at = basis.at(glm::dot(source.point, towards));
+    sum.soft += source.soft.slope(at) * source.point;
+    sum.hard += (source.hard.bend(at) * glm::dot(towards, source.normal)) * source.point + source.hard.slope(at) * source.normal;
   }
   for (const Crossing& crossing : crossings_) {
-    const double cosine = glm::dot(crossing.point, towards);
-    sum.soft += crossing.soft.at(cosine).slope * crossing.point;
-    sum.hard += crossing.hard.at(cosine).slope * crossing.point;
+    const RadialBasis::Slopes at = basis.at(glm::dot(crossing.point, towards));
+    sum.soft += crossing.soft.slope(at) * crossing.point;
+    sum.hard += crossing.hard.slope(at) * crossing.point;
   }
   return sum;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/complex_vector.h"
-#include "utd/corner/radial_wave.h"
+#include "utd/corner/radial_basis.h"
 
 namespace raytube {
 
@@ -42,12 +42,12 @@ class SolidCorner {
   struct Source {
     dvec3 point, normal;
     double spacing;  // between it and the next one [rad]
-    RadialWave soft, hard;
+    RadialSum soft, hard;
   };
   /// What a source without a solid sends there over a point of the circle.
   struct Crossing {
     dvec3 point;
-    RadialWave soft, hard;
+    RadialSum soft, hard;
   };
   struct Gradients {
     ComplexVector soft, hard;

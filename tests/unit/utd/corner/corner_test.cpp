@@ -8,6 +8,7 @@
 #include "shapes.h"
 #include "unit/utd_scene.h"
 #include "utd/corner/corner_waves.h"
+#include "utd/corner/order_nodes.h"
 
 namespace raytube {
 namespace {
@@ -37,6 +38,24 @@ TEST(RadialWave, SolvesLegendresEquationWithAUnitSource) {
     const double small = 1e-5;
     EXPECT_LE(std::abs(wave.at(std::cos(small)).value + std::log(small) / (2 * pi) - wave.smooth_at_source()), 1e-6);
   }
+}
+
+TEST(RadialBasis, HasTheSlopesOfTheGreensFunctions) {
+  const RadialBasis& basis = RadialBasis::of_all_orders();
+  double worst = 0.0;
+  for (std::size_t order = 0; order < nodes_over_orders().size(); ++order) {
+    RadialSum sum;
+    sum.add(Complex(0, 2), order);
+    for (const double theta : {0.05, 0.19, 0.21, 0.5, 1.0, 2.0, 2.8, 2.9, 3.1, pi}) {
+      const RadialBasis::Slopes at = basis.at(std::cos(theta));
+      const RadialWave::Values wave = basis.wave(order).at(std::cos(theta));
+      // To the greatest of all angles' at an order: those grow as theta^-2 and theta^-4 to the source.
+      worst = std::max({worst, std::abs(sum.slope(at) - Complex(0, 2) * wave.slope) * theta * theta,
+                        std::abs(sum.bend(at) - Complex(0, 2) * wave.bend) * std::pow(theta, 4)});
+    }
+  }
+  measured("slopes of radial waves off those of their basis", worst, "");
+  EXPECT_LE(worst, 1e-8);
 }
 
 TEST(RadialWave, DigammaAtKnownPlaces) {
