@@ -103,7 +103,8 @@ CornerWaves::CornerWaves(std::span<const Wedge> wedges, const CornerWaveOptions&
     : edges_(wedges.size()), solids_(wedges), kinds_(wedges.size()) {
   Finder finder(wedges);
   std::vector<std::uint32_t> longest_first;
-  for (std::uint32_t i = 0; i < wedges.size(); ++i) edges_[i] = finder.edge(i);
+  for (std::uint32_t i = 0; i < wedges.size(); ++i)
+    if (const std::optional<Edge> edge = finder.edge(i)) edges_[i] = std::make_unique<Edge>(*edge);
   find_thin(wedges);
   for (std::uint32_t i = 0; i < wedges.size(); ++i)
     if (edges_[i]) longest_first.push_back(i);
@@ -159,8 +160,8 @@ void CornerWaves::put_end(std::span<const Wedge> wedges, const ThinEnd& thin) {
     double length = 0.0;
     for (const std::uint32_t w : thin.sides[side]) length += wedges[w].length();
     for (const std::uint32_t w : thin.sides[side])
-      edges_[w] = Edge{*ends,          thin.length(), wedges[w].length() / length, CornerWaveKind::thin_end, thin.sides[0][0],
-                       thin.thickness, thin.outwards, thin.towards[side]};
+      edges_[w] = std::make_unique<Edge>(Edge{*ends, thin.length(), wedges[w].length() / length, CornerWaveKind::thin_end,
+                                              thin.sides[0][0], thin.thickness, thin.outwards, thin.towards[side]});
   }
 }
 
@@ -173,11 +174,11 @@ void CornerWaves::put_sharp_edge(std::span<const Wedge> wedges, const ThinEnd& t
       const auto ends = both(corner_at(thin, tip, true), corner_at(other, there, true));
       if (!ends) continue;
       for (const std::uint32_t w : here.edges)
-        edges_[w] = Edge{.ends = *ends,
-                         .length = here.sharp_length,
-                         .part = wedges[w].length() / here.sharp_length,
-                         .kind = CornerWaveKind::thin_end,
-                         .first = here.edges.front()};
+        edges_[w] = std::make_unique<Edge>(Edge{.ends = *ends,
+                                                .length = here.sharp_length,
+                                                .part = wedges[w].length() / here.sharp_length,
+                                                .kind = CornerWaveKind::thin_end,
+                                                .first = here.edges.front()});
     }
 }
 

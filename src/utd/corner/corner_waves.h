@@ -51,7 +51,7 @@ class CornerWaves {
   /// The first wedge of the edge that `wedge` is a part of, if it is one of a thin body; else `wedge` itself.
   std::uint32_t first_of(std::uint32_t wedge) const { return edges_[wedge] ? edges_[wedge]->first : wedge; }
   /// Null unless it is one of a solid.
-  const SolidEdge* solid(std::uint32_t wedge) const { return solids_[wedge] && !edges_[wedge] ? &*solids_[wedge] : nullptr; }
+  const SolidEdge* solid(std::uint32_t wedge) const { return edges_[wedge] ? nullptr : solids_[wedge]; }
   /// How much of the edge the wedge is to a wave that comes in this direction: of a thin end the line on its near side counts.
   double part(std::uint32_t wedge, const dvec3& incident) const;
 
@@ -132,7 +132,7 @@ class CornerWaves {
   const Angle* angle_of(double angle);
 
   std::vector<std::unique_ptr<Angle>> angles_;
-  std::vector<std::optional<Edge>> edges_;  // [wedge]
+  std::vector<std::unique_ptr<Edge>> edges_;  // [wedge]
   SolidEdges solids_;
   std::vector<std::optional<CornerWaveKind>> kinds_;  // [wedge]
 };

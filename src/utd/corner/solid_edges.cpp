@@ -147,7 +147,8 @@ SolidEdges::SolidEdges(std::span<const Wedge> wedges) : edges_(wedges.size()) {
     std::ranges::stable_sort(body, std::ranges::greater{}, [&](std::uint32_t i) { return wedges[i].length(); });
     Shapes shapes;
     for (const std::uint32_t i : body)
-      if ((edges_[i] = finder.edge(i)) && !find_corners(*edges_[i], shapes)) edges_[i].reset();
+      if (std::optional<SolidEdge> edge = finder.edge(i); edge && find_corners(*edge, shapes))
+        edges_[i] = std::make_unique<SolidEdge>(*edge);
   }
 }
 

@@ -62,14 +62,14 @@ struct SolidEdge {
 };
 
 /// The edges of conducting solids that end, at both ends, where three edges meet and nothing else, each 45 to 165 degrees
-/// off a plane; `nullopt` for others. The shapes of corners are rounded to 0.1 degrees.
+/// off a plane; null for others. The shapes of corners are rounded to 0.1 degrees.
 class SolidEdges {
  public:
   /// On a body with more than `most_shapes` only the corners of the longest edges have waves, on one with more than `most_edges`
   /// edges none. What other bodies there are does not count.
   explicit SolidEdges(std::span<const Wedge> wedges);
 
-  const std::optional<SolidEdge>& operator[](std::uint32_t wedge) const { return edges_[wedge]; }
+  const SolidEdge* operator[](std::uint32_t wedge) const { return edges_[wedge].get(); }
   /// The memory of the corners, once they are solved.
   std::size_t bytes() const { return shapes_.size() * SolidCorner::bytes(); }
 
@@ -82,7 +82,7 @@ class SolidEdges {
   bool find_corners(SolidEdge& edge, Shapes& of_body);
 
   std::vector<std::unique_ptr<SolidCorners>> shapes_;
-  std::vector<std::optional<SolidEdge>> edges_;  // [wedge]
+  std::vector<std::unique_ptr<SolidEdge>> edges_;  // [wedge]
 };
 
 }  // namespace raytube

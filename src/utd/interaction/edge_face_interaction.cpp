@@ -55,7 +55,8 @@ IlluminatedFaces illuminated(const EdgeLight& light, const LitJob& job, double t
   ReceivingFaces faces = scene.faces;
   faces.first_met = scene.plan.patches(light.axis_of(*job.piece));
   std::vector<AzimuthRange> azimuths;
-  for (const std::uint32_t patch : faces.first_met) azimuths.push_back(azimuths_of(*job.piece->edge, scene.extents[patch]));
+  for (const std::uint32_t patch : faces.first_met)
+    azimuths.push_back(azimuths_of(*job.piece->edge, scene.faces.tree.mesh(), patch, scene.extents[patch]));
   const PathPlace place = light.place_of(job);
   return illuminated_faces(faces, light.look, light.wavenumbers, *job.piece,
                            {job.reflections, tolerance, azimuths, by_path ? &place : nullptr});

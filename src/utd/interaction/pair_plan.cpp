@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ranges>
 
 namespace raytube {
 
@@ -41,9 +42,14 @@ double solid_angle(const dvec3& point, const Patch& plane, const PatchExtent& fa
   return face.area * facing / (square + face.area / (2 * pi));
 }
 
-bool in_front_of(const Wedge& wedge, const PatchExtent& face) {
-  const double least = rounding_of_files * std::sqrt(face.area);
-  return wedge.n == 2.0 || std::ranges::any_of(face.corners, [&](const dvec3& corner) {
+/// The corners of a patch's triangles.
+auto corners_of(const TriangleMesh& mesh, std::uint32_t patch) {
+  return mesh.of_patch()[patch] | std::views::transform([&mesh](std::uint32_t t) { return mesh.corners(t); }) | std::views::join;
+}
+
+bool in_front_of(const Wedge& wedge, const TriangleMesh& mesh, std::uint32_t patch, double area) {
+  const double least = rounding_of_files * std::sqrt(area);
+  return wedge.n == 2.0 || std::ranges::any_of(corners_of(mesh, patch), [&](const dvec3& corner) {
            return std::ranges::any_of(wedge.faces,
                                       [&](const WedgeFace& own) { return glm::dot(own.normal, corner - wedge.start) > least; });
          });
@@ -58,10 +64,7 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
     const double area = mesh.twice_area(t) / 2;
     extent.area += area;
     extent.closed = mesh.closed(t);
-    for (const std::uint32_t vertex : mesh.triangles[t]) {
-      extent.corners.push_back(mesh.vertices[vertex]);
-      extent.centroid += area / 3.0 * mesh.vertices[vertex];
-    }
+    for (const std::uint32_t vertex : mesh.triangles[t]) extent.centroid += area / 3.0 * mesh.vertices[vertex];
   }
   for (PatchExtent& extent : extents) extent.centroid /= extent.area;
   return extents;
@@ -70,10 +73,11 @@ std::vector<PatchExtent> patch_extents(const TriangleMesh& mesh) {
 // An edge of length L scatters the power of a strip of about lambda / 2 pi times L (Keller 1957), of which the face takes in its
 // share of the sphere and scatters it all round: |S|^2 = lambda L / 2 pi * Omega / 4 pi / 4 pi. Omega is the mean along the edge
 // by Simpson's rule: whatever of the edge is in front of the face, one of its ends is.
-double expected_of_pair(const EdgeAxis& axis, const Patch& plane, const PatchExtent& face) {
+double expected_of_pair(const EdgeAxis& axis, const TriangleMesh& mesh, std::uint32_t patch, const PatchExtent& face) {
+  const Patch& plane = mesh.patches[patch];
   const auto seen_at = [&](double share) { return solid_angle(axis.origin + share * axis.length * axis.tangent, plane, face); };
   const double angle = (seen_at(0.0) + 4.0 * seen_at(0.5) + seen_at(1.0)) / 6.0;
-  if (angle == 0.0 || !in_front_of(*axis.wedge, face)) return 0.0;
+  if (angle == 0.0 || !in_front_of(*axis.wedge, mesh, patch, face.area)) return 0.0;
   return axis.length * angle / (32 * pi * pi * pi);
 }
 
@@ -106,7 +110,7 @@ PairPlan::PairPlan(const PairCandidates& of, double work) : all_(false), patches
     if (axis.length < of.shortest_axis) continue;
     for (const std::uint32_t patch : of.patches) {
       if (patch == axis.wedge->faces[0].patch || patch == axis.wedge->faces[1].patch) continue;
-      const double expected = expected_of_pair(axis, of.mesh.patches[patch], of.extents[patch]);
+      const double expected = expected_of_pair(axis, of.mesh, patch, of.extents[patch]);
       if (expected == 0.0) continue;
       ++seen, squares += expected;
       pairs.push_back({expected, a, patch});
@@ -137,14 +141,14 @@ std::span<const std::uint32_t> PairPlan::patches(std::size_t axis) const {
 
 // Seen from the edge's line a face covers less than half a turn, or the line runs through it; azimuths are the same after a whole
 // turn, of which the wedge leaves n pi free.
-AzimuthRange azimuths_of(const EdgeAxis& axis, const PatchExtent& face) {
+AzimuthRange azimuths_of(const EdgeAxis& axis, const TriangleMesh& mesh, std::uint32_t patch, const PatchExtent& face) {
   const WedgeFace& first = axis.wedge->faces[0];
   const auto across = [&](const dvec3& point) {
     return dvec2(glm::dot(point - axis.origin, first.into_face), glm::dot(point - axis.origin, first.normal));
   };
   const dvec2 middle = across(face.centroid);
   double low = 0.0, high = 0.0;
-  for (const dvec3& corner : face.corners) {
+  for (const dvec3& corner : corners_of(mesh, patch)) {
     const dvec2 at = across(corner);
     const double turn = std::atan2(middle.x * at.y - middle.y * at.x, glm::dot(middle, at));
     low = std::min(low, turn), high = std::max(high, turn);

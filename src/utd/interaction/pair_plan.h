@@ -13,10 +13,9 @@ namespace raytube {
 
 /// Where a patch is.
 struct PatchExtent {
-  std::vector<dvec3> corners;  // corners of its triangles [m]
-  dvec3 centroid{0.0};         // [m]
-  double area = 0.0;           // [m^2]
-  bool closed = false;         // part of a closed body, met from outside only
+  dvec3 centroid{0.0};  // [m]
+  double area = 0.0;    // [m^2]
+  bool closed = false;  // part of a closed body, met from outside only
 };
 
 /// The extents of all patches of a mesh.
@@ -68,7 +67,7 @@ inline const PairPlan all_pairs{};
 
 /// Expected |S_pq|^2 over the wavelength of the waves that an edge sends to a face, in the mean over all looks [m]; 0: the face
 /// is not seen from the edge.
-double expected_of_pair(const EdgeAxis& axis, const Patch& plane, const PatchExtent& face);
+double expected_of_pair(const EdgeAxis& axis, const TriangleMesh& mesh, std::uint32_t patch, const PatchExtent& face);
 
 /// Work of a pair at one frequency where so many patches count (utd/wedge/work.h): within a factor of ten on boxes.
 double work_of_pair(std::size_t patches);
@@ -77,6 +76,6 @@ double work_of_pair(std::size_t patches);
 double bytes_of_pairs(double pairs, double work);
 
 /// Between which azimuths about an edge a face lies.
-AzimuthRange azimuths_of(const EdgeAxis& axis, const PatchExtent& face);
+AzimuthRange azimuths_of(const EdgeAxis& axis, const TriangleMesh& mesh, std::uint32_t patch, const PatchExtent& face);
 
 }  // namespace raytube
