@@ -36,6 +36,7 @@ Outlines::Outlines(const TriangleMesh& mesh, std::span<const Wedge> wedges, doub
       for (const WedgeFace& face : wedge.faces) edges_.try_emplace(side_index(face.patch, face.back));
   add_wedges(wedges);
   add_creases(mesh, min_wedge_angle);
+  for (auto& [side, around] : edges_) around.shrink_to_fit();
 }
 
 void Outlines::add(std::size_t side, const OutlineEdge& edge) {
