@@ -61,10 +61,11 @@ class NoseFinder {
     const Principal principal = principal_at(frame);
     if (most_radii * edge_radius * principal.larger < wavenumber_ || principal.smaller > 0.5 * principal.larger) return {};
     const Plane plane{frame.normal, principal.direction};
-    const SectionWalk behind = walk(start, plane, -1.0), ahead = walk(start, plane, 1.0);
-    if (behind.samples.empty() || ahead.samples.empty()) return {};
+    const SectionWalk behind = walk(start, plane, -1.0);
+    if (behind.samples.empty() || behind.round) return {};
+    const SectionWalk ahead = walk(start, plane, 1.0);
+    if (ahead.samples.empty() || ahead.round) return {};
     const std::vector<Sample> samples = joined(behind, ahead);
-    if (behind.round || ahead.round) return {};
     Nose nose = fit(bent_part(samples), plane);
     if (nose.radius <= 0.0 || wavenumber_ * nose.radius >= edge_radius) return {};
     nose.evenness = evenness(start.triangle, nose, plane);
@@ -92,8 +93,8 @@ class NoseFinder {
     return walked;
   }
 
-  // False at the end of the bend, which is no longer than 100 degrees. Over 60 degrees a section of least_flattening loses at
-  // least e/4 of kappa^(2/3): one that loses less is round.
+  // False at the end of the bend, which is no longer than 100 degrees, and where it is found to be round. Over 60 degrees a
+  // section of least_flattening loses at least e/4 of kappa^(2/3): one that loses less is round.
   bool add(SectionWalk& walked, const GeodesicPiece& piece, const Plane& plane) const {
     const dvec2 l = 0.5 * (piece.from.l + piece.to);
     const BentFacet facet = surfaces_.facet(piece.from.triangle);
@@ -105,8 +106,8 @@ class NoseFinder {
     walked.samples.push_back({facet.point(l), piece.from.triangle, walked.angle + turn / 2, curvature, std::abs(turn)});
     walked.angle += turn;
     const double steadiest = std::pow(1.0 - least_flattening / 4, 1.5);
-    if (std::abs(walked.angle) > 60 * degree && walked.least > steadiest * walked.most) walked.round = true;
-    return true;
+    walked.round = std::abs(walked.angle) > 60 * degree && walked.least > steadiest * walked.most;
+    return !walked.round;
   }
 
   static std::vector<Sample> joined(const SectionWalk& behind, const SectionWalk& ahead) {
