@@ -7,6 +7,7 @@ function result = raytube_read(file)
 %     theta_deg, phi_deg                  L x 1, of the directions to the transmitter
 %     rx_theta_deg, rx_phi_deg            L x 1, to the receiver
 %     range_m, rx_range_m                 L x 1, of antennas at a finite distance only
+%     time_s                              L x 1, of a scene that moves only
 %     S                                   L x F x 2 x 2 complex [m]: look, frequency, receive, transmit; 1 is V, 2 is H
 %     sigma_dbsm, err_db, model_db        as S, real
 %     attributes                          what the file says of the whole, by name
@@ -42,7 +43,7 @@ function result = read_netcdf(file)
     error('raytube:read', '%s: is no result of raytube', file);
   end
   result.frequency_hz = reshape(ncread(file, 'frequency'), [], 1);
-  for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m'}
+  for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m', 'time_s'}
     if any(strcmp(names, name{1}))
       result.(name{1}) = reshape(ncread(file, name{1}), [], 1);
     end
@@ -106,7 +107,7 @@ function result = read_table(file)
     error('raytube:read', '%s: its rows are not every look at every frequency', file);
   end
   result.frequency_hz = values(1:frequencies, 1);
-  for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m'}
+  for name = {'theta_deg', 'phi_deg', 'rx_theta_deg', 'rx_phi_deg', 'range_m', 'rx_range_m', 'time_s'}
     if any(strcmp(names, name{1}))
       all_rows = column(name{1});
       result.(name{1}) = all_rows(1:frequencies:end);

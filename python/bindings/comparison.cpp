@@ -34,8 +34,8 @@ py::array_t<Value> columns_of(const ResultTable& table, Member ResultTable::Row:
 ResultTable::Key key_of(const std::string& column) {
   const auto key = std::ranges::find(key_names, column);
   if (key == key_names.end())
-    throw InputError(
-        fmt::format("only: there is no column {}; choose among freq_hz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg", column));
+    throw InputError(fmt::format(
+        "only: there is no column {}; choose among freq_hz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg, time_s", column));
   return static_cast<ResultTable::Key>(key - key_names.begin());
 }
 

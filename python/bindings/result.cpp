@@ -74,13 +74,16 @@ ChannelErrors sigma_of(const ScatteringMatrix& s) {
 void fill_looks(StoredResult& r, const Numbers& looks) {
   for (py::ssize_t i = 0; i < looks.shape(0); ++i)
     r.looks.push_back({looks.at(i, 0), looks.at(i, 1), looks.at(i, 2), looks.at(i, 3)});
+  r.moving = looks.shape(1) == 5;
+  for (py::ssize_t i = 0; r.moving && i < looks.shape(0); ++i) r.looks[static_cast<std::size_t>(i)].time_s = looks.at(i, 4);
 }
 
-// Amplitudes from elsewhere, of which no error is known.
+// Amplitudes from elsewhere, of which no error is known. A fifth number of a look is its time.
 Shared from_arrays(const Numbers& frequency_hz, const Numbers& looks, bool bistatic, const Amplitudes& s,
                    const std::vector<std::pair<std::string, std::string>>& attributes) {
   require(frequency_hz.ndim() == 1 && frequency_hz.size() > 0, "frequency_hz: give one or more frequencies");
-  require(looks.ndim() == 2 && looks.shape(0) > 0 && looks.shape(1) == 4, "looks: give rows of four angles");
+  require(looks.ndim() == 2 && looks.shape(0) > 0 && (looks.shape(1) == 4 || looks.shape(1) == 5),
+          "looks: give rows of four angles, and perhaps a time");
   require(
       s.ndim() == 4 && s.shape(0) == looks.shape(0) && s.shape(1) == frequency_hz.size() && s.shape(2) == 2 && s.shape(3) == 2,
       "S: give amplitudes of the shape (looks, frequencies, 2, 2)");
@@ -173,6 +176,8 @@ void bind_stored(py::module_& module) {
   stored.def_property_readonly("rx_phi_deg", [](const StoredResult& r) { return of_looks(r, &StoredLook::rx_phi_deg); });
   stored.def_property_readonly("range_m", [](const StoredResult& r) { return of_looks(r, &StoredLook::range_m); });
   stored.def_property_readonly("rx_range_m", [](const StoredResult& r) { return of_looks(r, &StoredLook::rx_range_m); });
+  stored.def_property_readonly("time_s", [](const StoredResult& r) { return of_looks(r, &StoredLook::time_s); });
+  stored.def_readonly("moving", &StoredResult::moving);
   stored.def_readonly("bistatic", &StoredResult::bistatic);
   stored.def_property_readonly("comment", [](const StoredResult& r) { return python_text(r.comment); });
   stored.def_property_readonly("S", [](const py::object& self) { return amplitudes(self, of(self).s); });

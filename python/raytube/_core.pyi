@@ -36,9 +36,11 @@ class Stored:
     phi_deg: NDArray[np.float64]
     rx_theta_deg: NDArray[np.float64]
     rx_phi_deg: NDArray[np.float64]
+    time_s: NDArray[np.float64]
     range_m: NDArray[np.float64]
     rx_range_m: NDArray[np.float64]
     bistatic: bool
+    moving: bool
     comment: str
     S: NDArray[np.complex128]
     sigma_dbsm: NDArray[np.float64]
@@ -65,7 +67,7 @@ class Table:
     def of_file(file: str, columns: str, name: str, /) -> Table: ...
     @staticmethod
     def of_stored(stored: Stored, name: str, /) -> Table: ...
-    has_key: list[bool]  # frequency_hz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg
+    has_key: list[bool]  # frequency_hz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg, time_s
     has_channel: list[bool]  # vv, vh, hv, hh
     has_phase: list[bool]
     keys: NDArray[np.float64]  # [row, key]

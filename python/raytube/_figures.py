@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from raytube import _plots
 from raytube._core import InputError
 from raytube._plots import CURVE_DEPTH, MAP_DEPTH, TITLES, Style, scale_of
-from raytube._rows import FREQUENCY, LABELS, LOOK, Cut, Grid, Rows, channels_of, choice_with, cuts_of, grid_of, name_apart
+from raytube._rows import ANGLES, LABELS, LOOK, Cut, Grid, Rows, channels_of, choice_with, cuts_of, grid_of, name_apart
 from raytube._tables import Floats, run_of
 
 MOST_PANELS, _MOST_RESULTS = 4, 8
@@ -149,7 +149,7 @@ def _curves(results: list[Rows], peak: int, channels: list[int], title: str, opt
 
 def _polar(results: list[Rows], peak: int, channels: list[int], title: str, options: Options) -> Figure:
     key, _, panels = panels_of_cuts(results, peak, 1)
-    if key in (FREQUENCY, LOOK):
+    if key not in ANGLES:
         raise InputError(f"--kind polar: {results[0].file} is a sweep over {LABELS[key]}, not over an angle; use --kind curves")
     fixed, cuts = panels[0]
     scale = _plots.polar_scale(_levels(results, cuts, channels), options.style)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
-from raytube._rows import FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, Cut, Grid, Rows, cuts_of, goes_round, grid_of, rows_of_result
+from raytube._rows import ANGLES, FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, TIME, Cut, Grid, Rows, cuts_of, goes_round, grid_of, rows_of_result
 from raytube._tables import KEYS, Floats, largest_of_blocks
 
 if TYPE_CHECKING:
@@ -112,7 +112,7 @@ def scale_of(levels: Any, style: Style, depth: float, exact: bool = False) -> Sc
 def angle_ticks(axis: Any, key: int, most: int = 9) -> None:
     """Ticks at degrees that divide a circle: 15, 30, 45."""
     extent = abs(np.diff(axis.get_view_interval())[0])
-    if key not in (FREQUENCY, LOOK) and extent > _ANGLE_STEPS[0]:
+    if key in ANGLES and extent > _ANGLE_STEPS[0]:
         axis.set_major_locator(MultipleLocator(next((step for step in _ANGLE_STEPS if extent / step <= most), 90.0)))
 
 
@@ -292,10 +292,10 @@ def draw_profile(ax: Any, ranges: Floats, sigma: dict[str, Floats], style: Style
 
 def looks_axis(profiles: Any) -> tuple[Floats, int]:
     """What differs from look to look: one angle, or else their number."""
-    angles = {key: profiles[KEYS[key]].values for key in (PHI, THETA, RX_PHI, RX_THETA) if KEYS[key] in profiles.coords}
+    angles = {key: profiles[KEYS[key]].values for key in (PHI, THETA, RX_PHI, RX_THETA, TIME) if KEYS[key] in profiles.coords}
     varying = [key for key, values in angles.items() if np.ptp(values) > 0.0]
     if len(varying) > 1:  # a receiver that goes along with its radar
-        varying = [key for key in varying if key < RX_THETA or np.any(angles[key] != angles[key - 2])]
+        varying = [key for key in varying if key not in (RX_THETA, RX_PHI) or np.any(angles[key] != angles[key - 2])]
     if len(varying) == 1 and np.all(np.diff(angles[varying[0]]) > 0.0):
         return angles[varying[0]], varying[0]
     return np.arange(profiles.sizes["look"]), LOOK
@@ -316,7 +316,7 @@ def plot(result: Result, channels: tuple[str, ...], ax: Any) -> Any:
     chosen = [CHANNELS.index(channel) for channel in channels]
     key, cuts = cuts_of(rows)
     if looks > 1 and frequencies > 1:
-        varying = [k for k in (PHI, THETA, RX_PHI, RX_THETA) if rows.known[k] and np.ptp(rows.keys[:, k]) > 0.0]
+        varying = [k for k in (*ANGLES, TIME) if rows.known[k] and np.ptp(rows.keys[:, k]) > 0.0]
         across = varying[0] if len(varying) == 1 else LOOK
         x = rows.keys[::frequencies, across] if across != LOOK else np.arange(float(looks))
         numbers = np.arange(looks * frequencies).reshape(looks, frequencies).T
@@ -385,5 +385,5 @@ def _new_axes(projection: str | None = None) -> Any:
 
 def _title(rows: Rows) -> str:
     """The title of the case, and what all rows have in common."""
-    varying = tuple(key for key in range(5) if np.ptp(rows.keys[:, key]) > 0.0)
+    varying = tuple(key for key in range(LOOK) if np.ptp(rows.keys[:, key]) > 0.0)
     return ", ".join(text for text in (rows.title, rows.fixed(0, varying)) if text)

@@ -22,7 +22,7 @@ from raytube._figures import (MOST_PANELS, Options, Pictures, canvas, centre_hea
                               twice)
 from raytube._plots import CURVE_DEPTH, IMAGE_DEPTH, MAP_DEPTH, TITLES, Style, scale_of
 from raytube._products import drawn_lines, outline_over, target_of_run
-from raytube._rows import FREQUENCY, LABELS, PHI, THETA, UNITS, Grid, Rows, choice_with, cuts_of, grid_of, name_apart, read_rows
+from raytube._rows import FREQUENCY, LABELS, LOOK, PHI, THETA, UNITS, Grid, Rows, choice_with, cuts_of, grid_of, name_apart, read_rows
 from raytube._tables import (KEYS, Floats, amplitudes_of, centres_of, comments, dbsm, header_of, is_coarse, mechanism_text, mechanisms_of, read_csv,
                              run_of)
 
@@ -62,7 +62,7 @@ def _product(file: str, dims: tuple[str, ...]) -> Any:
     data = xr.Dataset({"S": s, "sigma_dbsm": (s.dims, dbsm(s.values))})
     if profiles:  # one value a look stands in each of its rows
         looks = columns.isel(range_m=0, drop=True)
-        data = data.assign_coords({name: looks[name] for name in KEYS[1:]})
+        data = data.assign_coords({name: looks[name] for name in KEYS[1:] if name in looks})
         for level in ("error", "model"):
             data[f"{level}_dbsm"] = xr.concat([looks[f"{level}_{c}_dbsm"] for c in CHANNELS], channel).transpose("look", "channel")
     for name, x, y, z, width in re.findall(r"(\w+)_m along \(?([-\d.e+]+),? ([-\d.e+]+),? ([-\d.e+]+)\)?: peaks ([\d.e+-]+) m wide", text):
@@ -230,7 +230,8 @@ def _numbers(at: Floats, numbers: Any, apart: float) -> list[tuple[str, Floats]]
 
 def rows_of_table(file: str, table: Any, s: Any, title: str) -> Rows:
     """Rows with the keys of a table of the program's."""
-    return Rows(file, table[list(KEYS)].to_numpy(dtype=float) / UNITS, [True] * 5, [True] * 4, dbsm(s), s, [True] * 4, title=title)
+    known = [name in table for name in KEYS]
+    return Rows(file, table.reindex(columns=KEYS, fill_value=0.0).to_numpy(dtype=float) / UNITS, known, [True] * 4, dbsm(s), s, [True] * 4, title=title)
 
 
 def parts_pictures(file: str, options: Options) -> Pictures:
@@ -395,8 +396,8 @@ def common_rows(first: Rows, second: Rows) -> tuple[Any, Any]:
     """Numbers of the rows that two results have in common, by the keys that both have."""
     import pandas
 
-    by = [key for key in range(5) if first.known[key] and second.known[key]]
-    frames = [pandas.DataFrame(np.round(rows.keys[:, by] / np.array([1e-6, 1e-4, 1e-4, 1e-4, 1e-4])[by])).reset_index(names="row")
+    by = [key for key in range(LOOK) if first.known[key] and second.known[key]]
+    frames = [pandas.DataFrame(np.round(rows.keys[:, by] / np.array([1e-6, 1e-4, 1e-4, 1e-4, 1e-4, 1e-9])[by])).reset_index(names="row")
               for rows in (first, second)]
     found = frames[0].merge(frames[1].drop_duplicates(list(range(len(by)))), on=list(range(len(by))), suffixes=("", "_of_second"))
     if found.empty:

@@ -154,13 +154,13 @@ class Result:
         Returns
         -------
         pandas.DataFrame
-            Columns ``freq_hz``, ``theta_deg``, ``phi_deg``, ``rx_theta_deg``, ``rx_phi_deg`` and, for each channel, ``S_vv`` [m], complex,
-            ``sigma_vv_dbsm``, ``err_vv_db``, ``model_vv_db``.
+            Columns ``freq_hz``, ``theta_deg``, ``phi_deg``, ``rx_theta_deg``, ``rx_phi_deg``, of a scene that moves ``time_s``, and, for each channel,
+            ``S_vv`` [m], complex, ``sigma_vv_dbsm``, ``err_vv_db``, ``model_vv_db``.
         """
         import pandas
 
         stored = self._stored
-        columns: dict[str, NDArray[Any]] = dict(zip(KEYS, keys_of(stored).T))
+        columns: dict[str, NDArray[Any]] = dict(zip(KEYS if stored.moving else KEYS[:-1], keys_of(stored).T))
         for name, values in (("S_{}", stored.S), ("sigma_{}_dbsm", stored.sigma_dbsm), ("err_{}_db", stored.error_db),
                              ("model_{}_db", stored.model_db)):
             columns |= zip(map(name.format, CHANNELS), values.reshape(-1, 4).T)
@@ -438,6 +438,8 @@ class Result:
             of_looks |= {"rx_theta_deg": ("degree", "polar angle to the receiver"), "rx_phi_deg": ("degree", "azimuth to the receiver")}
         if np.all(np.isfinite(stored.range_m)):
             of_looks |= {"range_m": ("m", "distance of the transmitter"), "rx_range_m": ("m", "distance of the receiver")}
+        if stored.moving:
+            of_looks |= {"time_s": ("s", "time of the look")}
         return {"frequency": ("frequency", stored.frequency_hz, {"units": "Hz", "long_name": "frequency"}),
                 **{name: ("look", getattr(stored, name), {"units": unit, "long_name": text}) for name, (unit, text) in of_looks.items()}}
 

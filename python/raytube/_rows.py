@@ -18,19 +18,20 @@ from raytube._tables import Floats, is_coarse, keys_of, run_of
 if TYPE_CHECKING:
     from raytube._result import Result
 
-FREQUENCY, THETA, PHI, RX_THETA, RX_PHI, LOOK = range(6)
-UNITS = np.array([1e9, 1.0, 1.0, 1.0, 1.0])  # of keys: GHz and degrees
+FREQUENCY, THETA, PHI, RX_THETA, RX_PHI, TIME, LOOK = range(7)
+ANGLES = (THETA, PHI, RX_THETA, RX_PHI)
+UNITS = np.array([1e9, 1.0, 1.0, 1.0, 1.0, 1.0])  # of keys: GHz, degrees and seconds
 LABELS = ("frequency (GHz)", "polar angle θ (degrees)", "azimuth φ (degrees)", "polar angle θ of the receiver (degrees)",
-          "azimuth φ of the receiver (degrees)", "look")
-_SYMBOLS = ("", "θ", "φ", "θ of the receiver", "φ of the receiver")
-_ORDER = (PHI, THETA, RX_PHI, RX_THETA, FREQUENCY)  # the first of equally good ones is what curves run along
+          "azimuth φ of the receiver (degrees)", "time (s)", "look")
+_SYMBOLS = ("", "θ", "φ", "θ of the receiver", "φ of the receiver", "t")
+_ORDER = (PHI, THETA, RX_PHI, RX_THETA, TIME, FREQUENCY)  # the first of equally good ones is what curves run along
 _LEAST_OF_A_LINE = 3.0
 _DECIMALS = 9  # far above what computing an angle leaves, far below any step
 
 
 @dataclass
 class Rows:
-    """Rows of a result: keys (row, 5) in GHz and degrees, levels (row, channel) in dBsm, errors in dB where they are known."""
+    """Rows of a result: keys (row, 6) in GHz, degrees and seconds, levels (row, channel) in dBsm, errors in dB where they are known."""
 
     file: str
     keys: Floats
@@ -48,8 +49,8 @@ class Rows:
     def __post_init__(self) -> None:
         self.keys = np.round(self.keys, _DECIMALS)
         apart = np.stack([self.keys[:, RX_THETA] - self.keys[:, THETA], (self.keys[:, RX_PHI] - self.keys[:, PHI] + 180.0) % 360.0 - 180.0])
-        if np.all(np.abs(apart[self.known[RX_THETA:]]) < 1e-9):  # a receiver at the transmitter tells no rows apart
-            self.known = [*self.known[:RX_THETA], False, False]
+        if np.all(np.abs(apart[self.known[RX_THETA:TIME]]) < 1e-9):  # a receiver at the transmitter tells no rows apart
+            self.known = [*self.known[:RX_THETA], False, False, self.known[TIME]]
         self.keys[:, [not known for known in self.known]] = 0.0
 
     def peak(self, channels: list[int]) -> float:
@@ -63,8 +64,8 @@ class Rows:
 
     def fixed(self, row: int, but: tuple[int, ...] = ()) -> str:
         """What the keys of a row are, in words, without those of `but`."""
-        words = [f"{self.keys[row, key]:.8g} GHz" if key == FREQUENCY else f"{_SYMBOLS[key]} = {self.keys[row, key]:.8g}°"
-                 for key in range(5) if self.known[key] and key not in but and not (LOOK in but and key != FREQUENCY)]
+        words = [f"{self.keys[row, key]:.8g} GHz" if key == FREQUENCY else f"{_SYMBOLS[key]} = {self.keys[row, key]:.8g}{'°' if key in ANGLES else ' s'}"
+                 for key in range(LOOK) if self.known[key] and key not in but and not (LOOK in but and key != FREQUENCY)]
         return ", ".join(words)
 
 
@@ -111,7 +112,7 @@ def rows_of_result(result: Result, file: str = "") -> Rows:
     stored = result._stored
     sigma, error, model = (values.reshape(-1, 4) for values in (stored.sigma_dbsm, stored.error_db, stored.model_db))
     has = (~np.isnan(sigma).all(axis=0)).tolist()
-    return Rows(file, keys_of(stored) / UNITS, [True, True, True, stored.bistatic, stored.bistatic], has, sigma, stored.S.reshape(-1, 4), has,
+    return Rows(file, keys_of(stored) / UNITS, [True, True, True, stored.bistatic, stored.bistatic, stored.moving], has, sigma, stored.S.reshape(-1, 4), has,
                 error, model, result.title, not is_coarse(result.warnings))
 
 

@@ -13,7 +13,7 @@ from raytube import _arguments
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._comparison import table_of
-from raytube._rows import FREQUENCY, LABELS, LOOK, PHI, RX_PHI, Rows, cuts_of, goes_round
+from raytube._rows import ANGLES, LABELS, PHI, RX_PHI, UNITS, Rows, cuts_of, goes_round
 from raytube._tables import KEYS, Range, cell_text, chosen_rows, number_text, ranges_of
 
 if TYPE_CHECKING:
@@ -145,7 +145,7 @@ def statistics_of(result: Any, percentiles: tuple[float, ...], sector: float | N
         fits += [{"channel": CHANNELS[c], **fit} for fit in laws]
         histograms += [{"channel": CHANNELS[c], **line} for line in _histogram(levels[:, c], laws)]
     return Statistics(
-        file, percentiles, pd.concat(parts, ignore_index=True).reindex(columns=[*KEYS, "from_deg", "to_deg", *names]),
+        file, percentiles, pd.concat(parts, ignore_index=True).reindex(columns=[*(KEYS if table.has_key[-1] else KEYS[:-1]), "from_deg", "to_deg", *names]),
         pd.DataFrame(fits, columns=["channel", "law", "mean_m2", "degrees_of_freedom", "mean_of_db", "std_of_db", "ks_distance"]),
         pd.DataFrame(histograms, columns=["channel", "from_dbsm", "to_dbsm", "rows", "share", *LAWS]))
 
@@ -224,9 +224,9 @@ def _sectors(keys: Values, has_key: Sequence[bool], levels: Values, channels: Se
     """Statistics of the sectors of one cut after the other: rows that differ in the swept angle alone."""
     import pandas as pd
 
-    lying = Rows(file, keys / [1e9, 1.0, 1.0, 1.0, 1.0], list(has_key), [], levels, np.empty(0, complex), [])
+    lying = Rows(file, keys / UNITS, list(has_key), [], levels, np.empty(0, complex), [])
     axis, found_cuts = cuts_of(lying)
-    if axis in (FREQUENCY, LOOK):
+    if axis not in ANGLES:
         raise InputError(f"--window: {file} is a sweep over {LABELS[axis]}, not over an angle; leave it out")
     cuts = [(cut.rows, cut.x, axis in (PHI, RX_PHI) and goes_round(cut.x)) for cut in found_cuts]
     widest = max(360.0 if turns else x[-1] - x[0] for _, x, turns in cuts)

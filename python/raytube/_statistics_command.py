@@ -63,7 +63,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _document(found: Statistics) -> dict[str, Any]:
-    whole = found.table[found.table["from_deg"].isna()].drop(columns=[*KEYS, "from_deg", "to_deg"])
+    whole = found.table[found.table["from_deg"].isna()].drop(columns=[*KEYS, "from_deg", "to_deg"], errors="ignore")
     channels = {line.pop("channel"): line for line in whole.to_dict("records")}
     for channel, line in channels.items():
         line["nearest_law"] = found.nearest_law(channel)

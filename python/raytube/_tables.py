@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from raytube._core import Stored
 
 Floats = NDArray[np.float64]
-KEYS = ("freq_hz", "theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg")
+KEYS = ("freq_hz", "theta_deg", "phi_deg", "rx_theta_deg", "rx_phi_deg", "time_s")  # the last one of scenes that move
 _MECHANISMS = {"bounce_3_on": "bounce 3 and later", "edges_order_1": "edges, order 1", "edges_order_2_on": "edges, orders 2 and 3",
                "material_edges_order_1": "edges of materials, order 1", "material_edges_order_2_on": "edges of materials, orders 2 and 3",
                "interaction": "edge–face interaction", "surface_waves": "waves over curved surfaces"}

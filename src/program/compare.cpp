@@ -62,8 +62,8 @@ void keep_rows_with(ResultTable& result, ResultTable& reference, const std::stri
   const auto found = std::ranges::find(key_names, column);
   if (found == key_names.end() || !low || !high || !(*low <= *high))
     throw InputError(
-        fmt::format("--only {}: write COLUMN=VALUE or COLUMN=LOW:HIGH with freq_hz, theta_deg, phi_deg, rx_theta_deg or "
-                    "rx_phi_deg, for example --only phi_deg=-45:45",
+        fmt::format("--only {}: write COLUMN=VALUE or COLUMN=LOW:HIGH with freq_hz, theta_deg, phi_deg, rx_theta_deg, "
+                    "rx_phi_deg or time_s, for example --only phi_deg=-45:45",
                     option));
   const auto key = static_cast<ResultTable::Key>(found - key_names.begin());
   if (!result.has_key[key] && !reference.has_key[key])

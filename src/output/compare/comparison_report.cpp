@@ -15,8 +15,8 @@ namespace raytube {
 
 namespace {
 
-constexpr std::array<const char*, RowCoordinates::quantities> lag_units = {"phi_deg",      "theta_deg", "rx_phi_deg",
-                                                                           "rx_theta_deg", "freq_ghz",  ""};
+constexpr std::array<const char*, RowCoordinates::quantities> lag_units = {
+    "phi_deg", "theta_deg", "rx_phi_deg", "rx_theta_deg", "time_s", "freq_ghz", ""};
 
 std::string names(const std::array<bool, ResultTable::keys>& chosen) {
   std::string text;
@@ -31,8 +31,9 @@ std::string file_line(const char* what, const ResultTable& table) {
 
 std::string rows_text(const Comparison& c) {
   std::string text = file_line("result", c.result) + file_line("reference", c.reference);
-  text += fmt::format("{:<12}{} rows, equal in {} (to {:g} degree, {:g} of the frequency)\n", "compared", c.rows(),
-                      names(c.match.by), angle_tolerance_deg, frequency_tolerance);
+  text += fmt::format("{:<12}{} rows, equal in {} (to {:g} degree, {:g} of the frequency{})\n", "compared", c.rows(),
+                      names(c.match.by), angle_tolerance_deg, frequency_tolerance,
+                      c.match.by[ResultTable::time] ? fmt::format(", {:g} s", time_tolerance_s) : "");
   text += fmt::format("{:<12}{} rows of the result, {} of the reference\n", "left out", c.result.rows.size() - c.rows(),
                       c.reference.rows.size() - c.rows());
   return text + (c.scale ? scale_text(*c.scale) : "");
@@ -110,14 +111,18 @@ std::string csv_comments(const Comparison& c) {
   return text + "# A channel whose reference has no signal has nan throughout.\n";
 }
 
-std::string csv_header() {
+// Times have a column where there are any.
+bool in_table(const Comparison& c, int key) { return key != ResultTable::time || c.has_key[key]; }
+
+std::string csv_header(const Comparison& c) {
   std::string header = "channel";
   for (const NamedMeasure& measure : peak_measures) header += fmt::format(",{}", measure.name);
   header += ",rows,rows_within";
   for (const NamedMeasure& measure : near_peak_measures) header += fmt::format(",{}", measure.name);
   for (const NamedMeasure& measure : all_rows_measures) header += fmt::format(",{}", measure.name);
   header += ",lag,lag_unit";
-  for (const char* key : key_names) header += fmt::format(",largest_{}", key);
+  for (int k = 0; k < ResultTable::keys; ++k)
+    if (in_table(c, k)) header += fmt::format(",largest_{}", key_names[k]);
   return header + '\n';
 }
 
@@ -130,7 +135,8 @@ std::string csv_row(const Comparison& c, std::size_t channel) {
   for (const NamedMeasure& measure : all_rows_measures) text += ',' + number_text(e.*measure.value);
   text += fmt::format(",{},{}", number_text(c.lag[channel]), lag_units[c.cuts.quantity]);
   for (int k = 0; k < ResultTable::keys; ++k)
-    text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
+    if (in_table(c, k))
+      text += ',' + number_text(c.has_key[k] && c.signal[channel] ? c.keys[e.largest_row][k] : ErrorMeasures::undefined);
   return text + '\n';
 }
 
@@ -173,7 +179,7 @@ void write_compare_csv(const std::filesystem::path& file, const Comparison& c, c
   out.write(csv_comments(c));
   for (const auto& [option, text] : {std::pair{"--result-columns", columns[0]}, std::pair{"--reference-columns", columns[1]}})
     if (!text.empty()) out.write(fmt::format("# {} {}\n", option, text));
-  out.write(csv_header());
+  out.write(csv_header(c));
   for (std::size_t channel = 0; channel < 4; ++channel)
     if (c.compared[channel]) out.write(csv_row(c, channel));
   out.commit();

@@ -65,7 +65,7 @@ std::string range_text(const ResultTable& table, Key key) {
 
 void check_single_value(const ResultTable& table, const ResultTable& other, Key key) {
   const Values values = coordinates(table, key);
-  const double tolerance = key == ResultTable::frequency ? frequency_tolerance : angle_tolerance_deg;
+  const double tolerance = tolerance_of(key);
   const auto [low, high] = std::ranges::minmax(values);
   if (high - low > tolerance)
     throw InputError(fmt::format("{}: {} runs from {} but {} has no such column; choose one value with --only {}=VALUE",
@@ -91,7 +91,7 @@ RowIds row_ids(const ResultTable& a, const ResultTable& b, const std::array<bool
   for (int k = 0; k < ResultTable::keys; ++k) {
     if (!by[k]) continue;
     const Key key = static_cast<Key>(k);
-    const double tolerance = key == ResultTable::frequency ? frequency_tolerance : angle_tolerance_deg;
+    const double tolerance = tolerance_of(key);
     const std::vector<std::size_t> ids = ids_of(coordinates(a, key), coordinates(b, key), tolerance);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i][k] = ids[i];
   }

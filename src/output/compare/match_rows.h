@@ -11,6 +11,13 @@ namespace raytube {
 
 inline constexpr double angle_tolerance_deg = 1e-4;
 inline constexpr double frequency_tolerance = 1e-6;  // relative
+inline constexpr double time_tolerance_s = 1e-9;     // in which nothing on the road moves by a micrometre
+
+/// How far values of a key that count as one may be apart: frequencies by their ratio.
+constexpr double tolerance_of(ResultTable::Key key) {
+  if (key == ResultTable::frequency) return frequency_tolerance;
+  return key == ResultTable::time ? time_tolerance_s : angle_tolerance_deg;
+}
 
 /// Rows of two tables that belong together.
 struct RowMatch {

@@ -128,6 +128,10 @@ void NewNetcdf::distances(std::span<const StoredLook> looks) {
   per_look(looks, "rx_range_m", "m", "distance of the receiver from the origin of the mesh", &StoredLook::rx_range_m);
 }
 
+void NewNetcdf::times(std::span<const StoredLook> looks) {
+  per_look(looks, "time_s", "s", "time of the look", &StoredLook::time_s);
+}
+
 void NewNetcdf::put(int variable, const std::vector<double>& values) {
   require(nc_put_var_double(file_, variable, values.data()));
 }

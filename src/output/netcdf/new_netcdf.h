@@ -44,6 +44,8 @@ class NewNetcdf {
   /// Directions of looks, and how far away these are.
   void looks(std::span<const StoredLook> looks);
   void distances(std::span<const StoredLook> looks);
+  /// When looks are taken.
+  void times(std::span<const StoredLook> looks);
 
   void put(int variable, const std::vector<double>& values);
   /// One member of a variable's first dimension.

@@ -94,6 +94,8 @@ class ResultReader {
     per_look("phi_deg", &StoredLook::phi_deg);
     per_look("rx_theta_deg", &StoredLook::rx_theta_deg);
     per_look("rx_phi_deg", &StoredLook::rx_phi_deg);
+    result_.moving = file_.has("time_s");
+    if (result_.moving) per_look("time_s", &StoredLook::time_s);
     if (!file_.has("range_m")) return;
     per_look("range_m", &StoredLook::range_m);
     per_look("rx_range_m", &StoredLook::rx_range_m);

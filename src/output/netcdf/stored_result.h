@@ -12,10 +12,12 @@
 
 namespace raytube {
 
-/// Directions to transmitter and receiver in decimal degrees; their distances from the mesh's origin [m], finite both or neither.
+/// Directions to transmitter and receiver in decimal degrees; their distances from the mesh's origin [m], finite both or neither;
+/// the time at which it is taken [s], where the result is of a scene that moves.
 struct StoredLook {
   double theta_deg = 0.0, phi_deg = 0.0, rx_theta_deg = 0.0, rx_phi_deg = 0.0;
   double range_m = std::numeric_limits<double>::infinity(), rx_range_m = std::numeric_limits<double>::infinity();
+  double time_s = 0.0;
 
   bool far() const { return std::isinf(range_m); }
   friend bool operator==(const StoredLook&, const StoredLook&) = default;
@@ -39,6 +41,7 @@ struct StoredResult {
   std::vector<double> frequency_hz;
   std::vector<StoredLook> looks;  // at least one
   bool bistatic = false;
+  bool moving = false;  // looks have their times
 
   std::vector<ScatteringMatrix> s;                          // [m]
   std::vector<ChannelErrors> sigma_dbsm, err_db, model_db;  // as rcs.csv has them; -inf for zero sigma

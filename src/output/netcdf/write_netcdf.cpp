@@ -45,7 +45,8 @@ class ResultWriter {
 
   int of_rows(int variable) {
     file_.attribute(variable, "coordinates",
-                    std::string("theta_deg phi_deg rx_theta_deg rx_phi_deg") + (result_.far() ? "" : " range_m rx_range_m"));
+                    std::string("theta_deg phi_deg rx_theta_deg rx_phi_deg") + (result_.far() ? "" : " range_m rx_range_m") +
+                        (result_.moving ? " time_s" : ""));
     return variable;
   }
 
@@ -54,6 +55,7 @@ class ResultWriter {
     file_.put(file_.variable("frequency", {"frequency"}, "Hz", "frequency"), result_.frequency_hz);
     file_.looks(result_.looks);
     if (!result_.far()) file_.distances(result_.looks);
+    if (result_.moving) file_.times(result_.looks);
   }
 
   void write_channels() {

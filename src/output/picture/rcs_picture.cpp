@@ -108,7 +108,7 @@ std::vector<double> distinct(Quantity quantity, const RowCoordinates& coordinate
 std::optional<Grid> grid_through_peak(const RowCoordinates& coordinates, Quantity across, std::size_t peak) {
   std::optional<Grid> best;
   for (const Quantity up : {RowCoordinates::phi, RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta,
-                            RowCoordinates::frequency}) {
+                            RowCoordinates::time, RowCoordinates::frequency}) {
     if (across == up || across == RowCoordinates::look_number) continue;
     Grid grid{across, up, {}, {}, {}};
     for (std::size_t row = 0; row < coordinates.rows.size(); ++row) {

@@ -18,9 +18,9 @@ namespace {
 
 std::vector<std::string> known_columns() {
   std::vector<std::string> names{
-      "freq_hz",   "freq_ghz", "theta_deg",   "phi_deg",     "rx_theta_deg", "rx_phi_deg",    "theta_i_deg",
-      "phi_i_deg", "tx_pol",   "v_magnitude", "v_phase_rad", "h_magnitude",  "h_phase_rad",   "row",
-      "col",       "x",        "y",           "u_m",         "v_m",          "cross_range_m", "range_m"};
+      "freq_hz", "freq_ghz",    "theta_deg",   "phi_deg",       "rx_theta_deg", "rx_phi_deg", "theta_i_deg", "phi_i_deg",
+      "tx_pol",  "v_magnitude", "v_phase_rad", "h_magnitude",   "h_phase_rad",  "row",        "col",         "x",
+      "y",       "u_m",         "v_m",         "cross_range_m", "range_m",      "time_s"};
   for (const char* pq : channel_names)
     for (const char* form : {"re_{}", "im_{}", "sigma_{}_dbsm", "sigma_{}_m2", "magnitude_{}", "phase_{}_rad"})
       names.push_back(fmt::format(fmt::runtime(form), pq));

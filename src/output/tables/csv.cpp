@@ -49,12 +49,15 @@ std::string direction_text(const Direction& direction) {
 
 std::string complex_text(Complex value) { return number_text(value.real()) + ',' + number_text(value.imag()); }
 
-// Calls visit(row, frequency text, look) for every row in the order of the files.
+const char* time_column(bool moving) { return moving ? ",time_s" : ""; }
+
+// Calls visit(row, frequency text, look, end of its lines) for every row in the order of the files.
 template <typename Visit>
 void for_each_row(const Sweep& sweep, Visit visit) {
   for (std::size_t i = 0; i < sweep.looks.size(); ++i)
     for (std::size_t k = 0; k < sweep.frequencies.size(); ++k)
-      visit(sweep.row(i, k), number_text(sweep.frequencies[k]), sweep.looks[i]);
+      visit(sweep.row(i, k), number_text(sweep.frequencies[k]), sweep.looks[i],
+            (sweep.times.empty() ? "" : ',' + number_text(sweep.times[i])) + '\n');
 }
 
 std::string complex_columns(const std::string& suffix) {
@@ -82,11 +85,13 @@ ChannelErrors sigmas_dbsm(const ScatteringMatrix& s) {
   return {{{sigma_dbsm(s.vv()), sigma_dbsm(s.vh())}, {sigma_dbsm(s.hv()), sigma_dbsm(s.hh())}}};
 }
 
-std::string rcs_row(const std::string& frequency, const StoredLook& look, const ScatteringMatrix& s, const RcsLevels& levels) {
+std::string rcs_row(const std::string& frequency, const StoredLook& look, bool moving, const ScatteringMatrix& s,
+                    const RcsLevels& levels) {
   std::string line = frequency;
   for (const double angle : {look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg}) line += ',' + number_text(angle);
   line += complex_values(s) + error_values(levels.sigma_dbsm) + error_values(levels.err_db) + error_values(levels.model_db);
   if (!look.far()) line += ',' + number_text(look.range_m) + ',' + number_text(look.rx_range_m);
+  if (moving) line += ',' + number_text(look.time_s);
   return line + '\n';
 }
 
@@ -124,21 +129,23 @@ std::string rcs_comment(const Sweep& sweep, const SweepResult& result, const std
   return conventions(result) + antenna_note(sweep.looks.front().far()) + note;
 }
 
-std::string rcs_columns(bool far) {
+std::string rcs_columns(bool far, bool moving) {
   std::string header = key_columns + complex_columns("");
   for (const char* channel : channel_names) header += fmt::format(",sigma_{}_dbsm", channel);
   for (const char* channel : channel_names) header += fmt::format(",err_{}_db", channel);
   for (const char* channel : channel_names) header += fmt::format(",model_{}_db", channel);
-  return header + (far ? "" : ",range_m,rx_range_m");
+  return header + (far ? "" : ",range_m,rx_range_m") + time_column(moving);
 }
 
-StoredLook stored_look(const Look& look) {
+StoredLook stored_look(const Sweep& sweep, std::size_t i) {
+  const Look& look = sweep.looks[i];
   return {decimal_degrees(look.transmit.theta),
           decimal_degrees(look.transmit.phi),
           decimal_degrees(look.receive.theta),
           decimal_degrees(look.receive.phi),
           look.transmit_range,
-          look.receive_range};
+          look.receive_range,
+          sweep.times.empty() ? 0.0 : sweep.times[i]};
 }
 
 RcsLevels rcs_levels(const SweepResult& result, std::size_t row) {
@@ -148,20 +155,21 @@ RcsLevels rcs_levels(const SweepResult& result, std::size_t row) {
 
 void write_rcs_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result, const std::string& note) {
   OutputFile out(file);
-  out.write(rcs_comment(sweep, result, note) + rcs_columns(sweep.looks.front().far()) + '\n');
-  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
-    out.write(rcs_row(frequency, stored_look(look), result.total[row], rcs_levels(result, row)));
+  out.write(rcs_comment(sweep, result, note) + rcs_columns(sweep.looks.front().far(), !sweep.times.empty()) + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look&, const std::string&) {
+    out.write(rcs_row(frequency, stored_look(sweep, row / sweep.frequencies.size()), !sweep.times.empty(), result.total[row],
+                      rcs_levels(result, row)));
   });
   out.commit();
 }
 
 void write_rcs_csv(const std::filesystem::path& file, const StoredResult& result) {
   OutputFile out(file);
-  out.write(result.comment + rcs_columns(result.far()) + '\n');
+  out.write(result.comment + rcs_columns(result.far(), result.moving) + '\n');
   for (std::size_t row = 0; row < result.rows(); ++row) {
     const std::size_t frequencies = result.frequency_hz.size();
-    out.write(rcs_row(number_text(result.frequency_hz[row % frequencies]), result.looks[row / frequencies], result.s[row],
-                      {result.sigma_dbsm[row], result.err_db[row], result.model_db[row]}));
+    out.write(rcs_row(number_text(result.frequency_hz[row % frequencies]), result.looks[row / frequencies], result.moving,
+                      result.s[row], {result.sigma_dbsm[row], result.err_db[row], result.model_db[row]}));
   }
   out.commit();
 }
@@ -169,14 +177,14 @@ void write_rcs_csv(const std::filesystem::path& file, const StoredResult& result
 void write_channels_csv(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   OutputFile out(file);
   out.write("freq_hz,theta_deg,phi_deg,tx_pol,v_magnitude,v_phase_rad,h_magnitude,h_phase_rad");
-  out.write(sweep.bistatic ? ",rx_theta_deg,rx_phi_deg\n" : "\n");
-  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+  out.write(std::string(sweep.bistatic ? ",rx_theta_deg,rx_phi_deg" : "") + time_column(!sweep.times.empty()) + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look, const std::string& end) {
     const ScatteringMatrix& s = result.total[row];
     for (const int transmit : {0, 1}) {
       std::string line = frequency + ',' + direction_text(look.transmit) + (transmit == 0 ? ",v," : ",h,") +
                          polar_text(s.at(0, transmit)) + ',' + polar_text(s.at(1, transmit));
       if (sweep.bistatic) line += ',' + direction_text(look.receive);
-      out.write(line + '\n');
+      out.write(line + end);
     }
   });
   out.commit();
@@ -187,11 +195,12 @@ void write_incoherent_csv(const std::filesystem::path& file, const Sweep& sweep,
   out.write(
       "# Power that roughness takes from reflected waves, scattered by Lambert's law: to be added to sigma as power, without a\n"
       "# phase. By transmit polarisation, both receive polarisations together; sigma in dBsm, 10 log10(sigma / 1 m^2).\n");
-  out.write(std::string(key_columns) + ",sigma_incoherent_v_dbsm,sigma_incoherent_h_dbsm\n");
-  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+  out.write(std::string(key_columns) + ",sigma_incoherent_v_dbsm,sigma_incoherent_h_dbsm" + time_column(!sweep.times.empty()) +
+            '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look, const std::string& end) {
     std::string line = key_text(frequency, look);
     for (const double sigma : result.incoherent[row]) line += ',' + number_text(10.0 * std::log10(sigma));
-    out.write(line + '\n');
+    out.write(line + end);
   });
   out.commit();
 }
@@ -204,13 +213,13 @@ void write_power_csv(const std::filesystem::path& file, const Sweep& sweep, cons
                   number_text(link.transmit_power_dbm), number_text(link.gain_dbi)));
   std::string header = std::string(key_columns) + ",range_m,rx_range_m";
   for (const char* channel : channel_names) header += fmt::format(",power_{}_dbm", channel);
-  out.write(header + '\n');
-  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+  out.write(header + time_column(!sweep.times.empty()) + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look, const std::string& end) {
     std::string line = key_text(frequency, look) + ',' + number_text(look.transmit_range) + ',' + number_text(look.receive_range);
     const double hertz = sweep.frequencies[row % sweep.frequencies.size()];
     for (const Complex s : channels(result.total[row]))
       line += ',' + number_text(link.received_dbm(look.transmit_range, look.receive_range, hertz, s));
-    out.write(line + '\n');
+    out.write(line + end);
   });
   out.commit();
 }
@@ -223,14 +232,14 @@ void write_parts_csv(const std::filesystem::path& file, const Sweep& sweep, cons
   for (const MechanismRows& mechanism : result.mechanisms) header += complex_columns('_' + mechanism.name);
   for (const ModelPart& part : result.model_parts)
     for (const char* channel : channel_names) header += fmt::format(",model_{}_{}_m", part.name, channel);
-  out.write(header + '\n');
-  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look) {
+  out.write(header + time_column(!sweep.times.empty()) + '\n');
+  for_each_row(sweep, [&](std::size_t row, const std::string& frequency, const Look& look, const std::string& end) {
     std::string line = key_text(frequency, look);
     for (std::size_t m = 0; m < bounces; ++m)
       line += complex_values(m < result.bounces.size() ? result.bounces[m][row] : ScatteringMatrix{});
     for (const MechanismRows& mechanism : result.mechanisms) line += complex_values(mechanism.rows[row]);
     for (const ModelPart& part : result.model_parts) line += error_values(part.rows[row]);
-    out.write(line + '\n');
+    out.write(line + end);
   });
   out.commit();
 }

@@ -1,4 +1,5 @@
-// The results as tables: one row per look and frequency, looks slowest, frequency fastest.
+// The results as tables: one row per look and frequency, looks slowest, frequency fastest. Of a scene that moves the last column
+// is the look's time.
 #pragma once
 
 #include <array>
@@ -33,9 +34,9 @@ std::string key_text(const std::string& frequency, const Look& look);
 
 /// The head of rcs.csv: comment lines, of which `note` is the last one, or empty; and the names of its columns.
 std::string rcs_comment(const Sweep& sweep, const SweepResult& result, const std::string& note);
-std::string rcs_columns(bool far);
+std::string rcs_columns(bool far, bool moving);
 
-StoredLook stored_look(const Look& look);
+StoredLook stored_look(const Sweep& sweep, std::size_t look);
 
 /// What a row of rcs.csv says of its S.
 struct RcsLevels {

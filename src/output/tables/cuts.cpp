@@ -21,6 +21,7 @@ constexpr std::array<const char*, RowCoordinates::quantities> axis_labels = {"az
                                                                              "polar angle θ (degrees)",
                                                                              "receiver azimuth φ (degrees)",
                                                                              "receiver polar angle θ (degrees)",
+                                                                             "time (s)",
                                                                              "frequency (GHz)",
                                                                              "look number"};
 
@@ -31,7 +32,10 @@ std::vector<std::vector<std::size_t>> groups_along(Quantity axis, const std::vec
   for (std::size_t row = 0; row < rows.size(); ++row) {
     Values key = rows[row];
     key[axis] = key[RowCoordinates::look_number] = 0.0;
-    if (axis == RowCoordinates::look_number) key = Values{0.0, 0.0, 0.0, 0.0, key[RowCoordinates::frequency], 0.0};
+    if (axis == RowCoordinates::look_number) {
+      key = Values{};
+      key[RowCoordinates::frequency] = rows[row][RowCoordinates::frequency];
+    }
     const auto [entry, added] = index_of.try_emplace(key, groups.size());
     if (added) groups.emplace_back();
     groups[entry->second].push_back(row);
@@ -51,6 +55,7 @@ std::string fixed_values(Quantity axis, const Values& row, const std::array<bool
   add(RowCoordinates::phi, "φ = ", "°");
   add(RowCoordinates::rx_theta, "receiver θ = ", "°");
   add(RowCoordinates::rx_phi, "receiver φ = ", "°");
+  add(RowCoordinates::time, "t = ", " s");
   return text;
 }
 
@@ -96,13 +101,14 @@ void merge_equal_values(RowCoordinates& coordinates) {
 
 RowCoordinates coordinates_of_rows(const Sweep& sweep) {
   const bool bistatic = receiver_elsewhere(sweep);
-  RowCoordinates coordinates{{}, {true, true, bistatic, bistatic, true, false}};
+  RowCoordinates coordinates{{}, {true, true, bistatic, bistatic, !sweep.times.empty(), true, false}};
   coordinates.rows.reserve(sweep.rows());
   for (std::size_t i = 0; i < sweep.looks.size(); ++i) {
     const Direction &transmit = sweep.looks[i].transmit, &receive = sweep.looks[i].receive;
     Values row{decimal_degrees(transmit.phi), decimal_degrees(transmit.theta)};
     if (bistatic)
       row[RowCoordinates::rx_phi] = decimal_degrees(receive.phi), row[RowCoordinates::rx_theta] = decimal_degrees(receive.theta);
+    if (!sweep.times.empty()) row[RowCoordinates::time] = sweep.times[i];
     row[RowCoordinates::look_number] = static_cast<double>(i);
     for (const double hertz : sweep.frequencies) {
       row[RowCoordinates::frequency] = hertz / 1e9;
@@ -126,7 +132,7 @@ CutPlan plan_cuts(const RowCoordinates& coordinates) {
   Quantity axis = RowCoordinates::phi;
   auto groups = groups_along(axis, rows);
   for (const Quantity other :
-       {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::frequency})
+       {RowCoordinates::theta, RowCoordinates::rx_phi, RowCoordinates::rx_theta, RowCoordinates::time, RowCoordinates::frequency})
     if (auto grouped = groups_along(other, rows); grouped.size() < groups.size()) axis = other, groups = std::move(grouped);
   if (rows.size() > 1 && 2 * groups.size() > rows.size()) groups = groups_along(axis = RowCoordinates::look_number, rows);
   CutPlan plan{axis, axis_label(axis), {}};

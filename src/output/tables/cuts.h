@@ -10,10 +10,11 @@
 
 namespace raytube {
 
-/// Direction and frequency of the rows of a result. Quantities in the order in which they are preferred as the axis of a curve.
+/// Direction, time and frequency of the rows of a result. Quantities in the order in which they are preferred as the axis of a
+/// curve.
 struct RowCoordinates {
-  enum Quantity { phi, theta, rx_phi, rx_theta, frequency, look_number, quantities };
-  std::vector<std::array<double, quantities>> rows;  // [degrees, GHz]; look_number counts the direction pairs
+  enum Quantity { phi, theta, rx_phi, rx_theta, time, frequency, look_number, quantities };
+  std::vector<std::array<double, quantities>> rows;  // [degrees, s, GHz]; look_number counts the direction pairs
   std::array<bool, quantities> told{};               // which ones are told of a row; the receiver's only when it differs
 };
 

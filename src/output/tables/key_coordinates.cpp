@@ -25,13 +25,13 @@ RowCoordinates coordinates_of_keys(std::span<const ResultTable::Keys> rows, cons
   const bool bistatic = receiver_elsewhere(rows, has_key);
   RowCoordinates coordinates{{},
                              {has_key[Key::phi], has_key[Key::theta], bistatic && has_key[Key::rx_phi],
-                              bistatic && has_key[Key::rx_theta], has_key[Key::frequency], false}};
-  std::map<std::array<double, 4>, std::size_t> looks;
+                              bistatic && has_key[Key::rx_theta], has_key[Key::time], has_key[Key::frequency], false}};
+  std::map<std::array<double, 5>, std::size_t> looks;
   for (const ResultTable::Keys& key : rows) {
     const double rx_phi = bistatic ? key[Key::rx_phi] : 0.0, rx_theta = bistatic ? key[Key::rx_theta] : 0.0;
-    const std::array<double, 4> look = {key[Key::phi], key[Key::theta], rx_phi, rx_theta};
+    const std::array<double, 5> look = {key[Key::phi], key[Key::theta], rx_phi, rx_theta, key[Key::time]};
     const auto number = static_cast<double>(looks.try_emplace(look, looks.size()).first->second);
-    coordinates.rows.push_back({look[0], look[1], look[2], look[3], key[Key::frequency] / 1e9, number});
+    coordinates.rows.push_back({look[0], look[1], look[2], look[3], look[4], key[Key::frequency] / 1e9, number});
   }
   merge_equal_values(coordinates);
   return coordinates;

@@ -37,11 +37,13 @@ void find_keys(const TableHeader& header, Layout& layout) {
   const ColumnSource theta_i = header.find("theta_i_deg"), phi_i = header.find("phi_i_deg");
   const bool receiver_first = theta_i || phi_i;
   const ColumnSource rx_theta = header.find("rx_theta_deg"), rx_phi = header.find("rx_phi_deg");
-  layout.keys = {frequency_source(header), receiver_first ? theta_i : theta, receiver_first ? phi_i : phi,
-                 rx_theta ? rx_theta : theta, rx_phi ? rx_phi : phi};
+  layout.keys = {frequency_source(header),     receiver_first ? theta_i : theta,
+                 receiver_first ? phi_i : phi, rx_theta ? rx_theta : theta,
+                 rx_phi ? rx_phi : phi,        header.find("time_s")};
   if (std::ranges::none_of(layout.keys, [](const ColumnSource& source) { return source.column.has_value(); }))
     header.reject(
-        "no column to match rows by; name at least one of freq_hz, freq_ghz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg, " +
+        "no column to match rows by; name at least one of freq_hz, freq_ghz, theta_deg, phi_deg, rx_theta_deg, rx_phi_deg, "
+        "time_s, " +
         header.remedy("phi_deg"));
 }
 
@@ -68,7 +70,7 @@ void read_channel(const CsvReader& reader, const ChannelSource& source, int chan
 ResultTable::Keys read_keys(const CsvReader& reader, const Layout& layout) {
   ResultTable::Keys key{};
   for (int k = 0; k < ResultTable::keys; ++k)
-    if (layout.keys[k]) key[k] = value_of(reader, layout.keys[k], "write an angle in degrees or a frequency");
+    if (layout.keys[k]) key[k] = value_of(reader, layout.keys[k], "write an angle in degrees, a frequency or a time in seconds");
   if (layout.keys[ResultTable::frequency] && !(key[ResultTable::frequency] > 0.0))
     throw InputError(fmt::format("{}: the frequency must be greater than 0", reader.location()));
   return key;
@@ -139,7 +141,7 @@ std::vector<ResultTable::Row> rows_of(const StoredResult& stored) {
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const StoredLook& look = stored.looks[row / stored.frequency_hz.size()];
     const double hertz = stored.frequency_hz[row % stored.frequency_hz.size()];
-    rows[row].key = {hertz, look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg};
+    rows[row].key = {hertz, look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg, look.time_s};
     rows[row].s = {stored.s[row].vv(), stored.s[row].vh(), stored.s[row].hv(), stored.s[row].hh()};
     for (std::size_t c = 0; c < 4; ++c) rows[row].sigma_dbsm[c] = sigma_dbsm(rows[row].s[c]);
   }
@@ -190,6 +192,7 @@ ResultTable table_of(const StoredResult& stored, const std::filesystem::path& na
   ResultTable table;
   table.file = name;
   table.has_key.fill(true);
+  table.has_key[ResultTable::time] = stored.moving;
   table.rows = rows_of(stored);
   for (std::size_t c = 0; c < 4; ++c)
     table.has_channel[c] = table.has_phase[c] =

@@ -13,8 +13,8 @@
 namespace raytube {
 
 struct ResultTable {
-  /// What tells rows apart: frequency [Hz], directions to transmitter and receiver [degrees].
-  enum Key { frequency, theta, phi, rx_theta, rx_phi, keys };
+  /// What tells rows apart: frequency [Hz], directions to transmitter and receiver [degrees], time [s].
+  enum Key { frequency, theta, phi, rx_theta, rx_phi, time, keys };
   using Keys = std::array<double, keys>;
 
   struct Row {
@@ -30,20 +30,19 @@ struct ResultTable {
   std::vector<Row> rows;
 };
 
-inline constexpr std::array<const char*, ResultTable::keys> key_names = {"freq_hz", "theta_deg", "phi_deg", "rx_theta_deg",
-                                                                         "rx_phi_deg"};
+inline constexpr std::array<const char*, ResultTable::keys> key_names = {"freq_hz",      "theta_deg",  "phi_deg",
+                                                                         "rx_theta_deg", "rx_phi_deg", "time_s"};
 
 /// Azimuths 360 degrees apart are the same direction.
 constexpr bool is_azimuth(ResultTable::Key key) { return key == ResultTable::phi || key == ResultTable::rx_phi; }
 
 /// Reads a table (see CsvReader) with a header, in any order of columns; other columns are ignored.
 ///   Keys: freq_hz or freq_ghz; theta_deg, phi_deg to the transmitter; rx_theta_deg, rx_phi_deg to the receiver, which are those
-///   to the transmitter where they are missing. With theta_i_deg, phi_i_deg these lead to the transmitter, theta_deg, phi_deg to
-///   the receiver. At least one is needed.
-///   Channels pq = vv, vh, hv, hh: re_pq and im_pq [m]; or else magnitude_pq, the root of sigma [m], sigma_pq_m2 or
-///   sigma_pq_dbsm, and perhaps phase_pq_rad. At least one is needed. With tx_pol, v or h, a row holds one transmit polarisation,
-///   as in channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as received. Rows with the same keys become
-///   one.
+///   to the transmitter where they are missing; time_s. With theta_i_deg, phi_i_deg these lead to the transmitter, theta_deg,
+///   phi_deg to the receiver. At least one is needed. Channels pq = vv, vh, hv, hh: re_pq and im_pq [m]; or else magnitude_pq,
+///   the root of sigma [m], sigma_pq_m2 or sigma_pq_dbsm, and perhaps phase_pq_rad. At least one is needed. With tx_pol, v or h,
+///   a row holds one transmit polarisation, as in channels.csv: v_magnitude [m], v_phase_rad, h_magnitude [m], h_phase_rad as
+///   received. Rows with the same keys become one.
 /// A netCDF file (.nc) that raytube has written has all of these, and takes no map.
 /// `map` says which column has another name or unit: a unit at the end of that name, in brackets or behind an underscore, counts
 /// where no factor is given. `option` is what a sentence calls the map. Throws InputError with line and column.

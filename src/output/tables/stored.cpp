@@ -42,7 +42,8 @@ class StoredRows {
     if (!(frequency > 0.0)) throw InputError(reader_.location() + ": the frequency must be greater than 0");
     StoredLook look{key(), key(), key(), key()};
     take_channels();
-    if (at_ < reader_.columns().size()) look.range_m = key(), look.rx_range_m = key();
+    if (has("range_m")) look.range_m = key(), look.rx_range_m = key();
+    if (has("time_s")) look.time_s = key(), result_.moving = true;
     find_place(frequency, look);
   }
 
@@ -56,7 +57,11 @@ class StoredRows {
   }
 
  private:
-  double key() { return reader_.finite_number(at_++, "write frequencies in Hz, angles in degrees and ranges in metres"); }
+  bool has(const char* column) const { return at_ < reader_.columns().size() && reader_.columns()[at_] == column; }
+
+  double key() {
+    return reader_.finite_number(at_++, "write frequencies in Hz, angles in degrees, ranges in metres and times in seconds");
+  }
 
   // Infinities and NaN are numbers here.
   double value() {
@@ -111,7 +116,10 @@ constexpr const char* readable = "give the path of a readable table, for example
 
 bool has_rcs_columns(const CsvReader& reader) {
   const std::string columns = joined(reader.columns(), ",");
-  return columns == rcs_columns(true) || columns == rcs_columns(false);
+  for (const bool far : {true, false})
+    for (const bool moving : {true, false})
+      if (columns == rcs_columns(far, moving)) return true;
+  return false;
 }
 
 }  // namespace
@@ -119,8 +127,9 @@ bool has_rcs_columns(const CsvReader& reader) {
 StoredResult stored_sweep(const Sweep& sweep) {
   StoredResult stored;
   stored.frequency_hz = sweep.frequencies;
-  for (const Look& look : sweep.looks) stored.looks.push_back(stored_look(look));
+  for (std::size_t i = 0; i < sweep.looks.size(); ++i) stored.looks.push_back(stored_look(sweep, i));
   stored.bistatic = sweep.bistatic;
+  stored.moving = !sweep.times.empty();
   return stored;
 }
 
@@ -159,6 +168,8 @@ Sweep sweep_of(const StoredResult& result) {
                            {look.rx_theta_deg * degree, look.rx_phi_deg * degree},
                            look.range_m,
                            look.rx_range_m});
+  if (result.moving)
+    for (const StoredLook& look : result.looks) sweep.times.push_back(look.time_s);
   return sweep;
 }
 
@@ -168,7 +179,8 @@ StoredResult read_rcs_csv(const std::filesystem::path& file) {
   CsvReader reader(file, readable);
   if (!has_rcs_columns(reader))
     throw InputError(fmt::format("{}: its columns are not those of rcs.csv, {}; give a table that raytube has written",
-                                 file.string(), "freq_hz,theta_deg, ... to model_hh_db, and perhaps range_m,rx_range_m"));
+                                 file.string(),
+                                 "freq_hz,theta_deg, ... to model_hh_db, and perhaps range_m,rx_range_m and time_s"));
   StoredRows rows(reader);
   while (reader.next()) rows.take();
   StoredResult result = rows.finish();

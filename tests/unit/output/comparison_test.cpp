@@ -1,9 +1,10 @@
 // Tables from elsewhere: what is accepted, which rows and channels are compared, what is said about them.
+#include "output/compare/comparison.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "core/error.h"
-#include "output/compare/comparison.h"
 #include "output/compare/comparison_report.h"
 #include "output/tables/csv.h"
 #include "run.h"
@@ -52,7 +53,7 @@ TEST_F(Compared, ReadsItsOwnTables) {
   write_rcs_csv(scratch / "rcs.csv", sweep, result);
   const ResultTable read = read_result_table(scratch / "rcs.csv");
   ASSERT_EQ(read.rows.size(), 4u);
-  EXPECT_THAT(read.has_key, ElementsAre(true, true, true, true, true));
+  EXPECT_THAT(read.has_key, ElementsAre(true, true, true, true, true, false));
   EXPECT_THAT(read.has_phase, ElementsAre(true, true, true, true));
   EXPECT_EQ(read.rows[3].key[Key::frequency], 2e9);
   EXPECT_NEAR(read.rows[3].key[Key::rx_phi], 0.2 / degree, 1e-12);
@@ -62,7 +63,7 @@ TEST_F(Compared, ReadsItsOwnTables) {
 
 TEST_F(Compared, ReadsForeignTables) {
   const ResultTable read = table("f.csv", "Theta_deg;FREQ_GHz;note;Sigma_HH_dBsm\n90;9.5;a b;-Inf\n91;9.5;;-3\n");
-  EXPECT_THAT(read.has_key, ElementsAre(true, true, false, true, false));
+  EXPECT_THAT(read.has_key, ElementsAre(true, true, false, true, false, false));
   EXPECT_THAT(read.has_channel, ElementsAre(false, false, false, true));
   EXPECT_THAT(read.has_phase, ElementsAre(false, false, false, false));
   EXPECT_EQ(read.rows[0].key[Key::frequency], 9.5e9);
@@ -72,7 +73,7 @@ TEST_F(Compared, ReadsForeignTables) {
 
 TEST_F(Compared, IncidenceColumnsMakeTheOthersTheReceiver) {
   const ResultTable read = table("f.csv", "theta_deg,phi_deg,theta_i_deg,phi_i_deg,re_vv,im_vv\n1,2,3,4,5,6\n");
-  EXPECT_THAT(read.rows[0].key, ElementsAre(0, 3, 4, 1, 2));
+  EXPECT_THAT(read.rows[0].key, ElementsAre(0, 3, 4, 1, 2, 0));
 }
 
 TEST_F(Compared, AmplitudesGoBeforeLevels) {
@@ -198,6 +199,16 @@ TEST_F(Compared, BistaticRowsAreDrawnOverTheReceiver) {
   const Comparison c = compared(text, text);
   EXPECT_EQ(c.cuts.quantity, RowCoordinates::rx_phi);
   EXPECT_EQ(c.cuts.cuts[0].fixed, "θ = 90°, φ = 0°, receiver θ = 90°");
+}
+
+// Pulses come faster than any tolerance of other keys, and are drawn over their times.
+TEST_F(Compared, RowsAreMatchedByTime) {
+  const std::string head = "freq_hz,phi_deg,sigma_vv_dbsm,time_s\n";
+  const Comparison c = compared(head + "1e9,0,1,0\n1e9,0,2,2e-5\n1e9,0,3,4e-5\n", head + "1e9,0,3,4e-5\n1e9,0,2,2.000001e-5\n");
+  ASSERT_EQ(c.rows(), 2u);
+  EXPECT_EQ(c.errors[0].largest_abs_db, 0.0);
+  EXPECT_EQ(c.cuts.quantity, RowCoordinates::time);
+  EXPECT_THAT(comparison_text(c), HasSubstr("1e-09 s"));
 }
 
 TEST_F(Compared, ListsInNoOrderHaveNoLag) {

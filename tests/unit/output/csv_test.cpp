@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "run.h"
 #include "scratch.h"
@@ -140,6 +142,40 @@ TEST(OutputCsv, BistaticChannelsCarryTheReceiver) {
   const Table table((scratch / "channels.csv").string());
   EXPECT_EQ(table.text(4, "rx_theta_deg"), "45");
   EXPECT_EQ(table.text(4, "rx_phi_deg"), "-3");
+}
+
+// Nothing that reads the other columns finds them elsewhere.
+TEST(OutputCsv, TimesAreTheLastColumnOfEveryTable) {
+  const Scratch scratch;
+  Sweep sweep = small_sweep(true);
+  SweepResult result = small_result(sweep);
+  result.incoherent.assign(sweep.rows(), {0.5, 0.25});
+  const auto written = [&](const std::string& name) {
+    const auto file = scratch / name;
+    if (name == "rcs.csv") write_rcs_csv(file, sweep, result);
+    if (name == "channels.csv") write_channels_csv(file, sweep, result);
+    if (name == "parts.csv") write_parts_csv(file, sweep, result);
+    if (name == "incoherent.csv") write_incoherent_csv(file, sweep, result);
+    return text_of(file);
+  };
+  for (const std::string name : {"rcs.csv", "channels.csv", "parts.csv", "incoherent.csv"}) {
+    sweep.times = {};
+    std::istringstream rest(written(name));
+    sweep.times = {0.0, 1.25e-4};
+    std::istringstream moving(written(name));
+    const std::size_t lines_of_a_look = name == "channels.csv" ? 4 : 2;
+    std::size_t row = 0;
+    bool below_header = false;
+    for (std::string a, b; std::getline(rest, a) && std::getline(moving, b);) {
+      if (a.starts_with('#'))
+        EXPECT_EQ(b, a);
+      else if (!std::exchange(below_header, true))
+        EXPECT_EQ(b, a + ",time_s");
+      else
+        EXPECT_EQ(b, a + (row++ < lines_of_a_look ? ",0" : ",0.000125"));
+    }
+    EXPECT_EQ(row, 2 * lines_of_a_look) << name;
+  }
 }
 
 TEST(OutputCsv, PartsAddUpToTheTotal) {

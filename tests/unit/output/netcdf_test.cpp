@@ -67,6 +67,7 @@ void expect_equal(const StoredResult& a, const StoredResult& b) {
   EXPECT_EQ(bits(a.frequency_hz), bits(b.frequency_hz));
   EXPECT_EQ(bits(a.looks), bits(b.looks));
   EXPECT_EQ(a.bistatic, b.bistatic);
+  EXPECT_EQ(a.moving, b.moving);
   EXPECT_EQ(bits(a.s), bits(b.s));
   for (const auto rows : {&StoredResult::sigma_dbsm, &StoredResult::err_db, &StoredResult::model_db, &StoredResult::error_m,
                           &StoredResult::model_m})
@@ -112,6 +113,35 @@ TEST(OutputNetcdf, WhatIsNotKnownIsNotThere) {
   for (StoredLook& look : result.looks) look.range_m = look.rx_range_m = infinite;
   write_netcdf(scratch / "a.nc", result);
   expect_equal(read_netcdf(scratch / "a.nc"), result);
+}
+
+StoredResult moving_result() {
+  StoredResult result = full_result();
+  result.moving = true;
+  for (std::size_t i = 0; i < result.looks.size(); ++i) result.looks[i].time_s = -0.1 + 1e-4 * static_cast<double>(i);
+  return result;
+}
+
+TEST(OutputNetcdf, TimesOfLooksComeBack) {
+  const Scratch scratch;
+  write_netcdf(scratch / "a.nc", moving_result());
+  expect_equal(read_netcdf(scratch / "a.nc"), moving_result());
+  EXPECT_EQ(stored_sweep(sweep_of(moving_result())).looks.back().time_s, moving_result().looks.back().time_s);
+}
+
+// Looks that differ in time alone stay apart, and are found again.
+TEST(OutputStored, ATableOfTimesComesBack) {
+  const Scratch scratch;
+  StoredResult result = moving_result();
+  result.looks[1] = {result.looks[0].theta_deg,  result.looks[0].phi_deg, result.looks[0].rx_theta_deg,
+                     result.looks[0].rx_phi_deg, result.looks[0].range_m, result.looks[0].rx_range_m,
+                     result.looks[1].time_s};
+  write_rcs_csv(scratch / "a.csv", result);
+  const StoredResult back = read_rcs_csv(scratch / "a.csv");
+  EXPECT_TRUE(back.moving);
+  EXPECT_EQ(back.looks, result.looks);
+  write_rcs_csv(scratch / "b.csv", back);
+  EXPECT_EQ(text_of(scratch / "b.csv"), text_of(scratch / "a.csv"));
 }
 
 // Files of HDF5 may hold the second in which they were made.
