@@ -1,4 +1,4 @@
-// Range profiles and images of results.
+// Range profiles, images and Doppler of results.
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -9,10 +9,12 @@
 #include "bindings/interruptible.h"
 #include "bindings/job.h"
 #include "bindings/result.h"
+#include "imaging/doppler.h"
 #include "imaging/isar.h"
 #include "imaging/range_profile.h"
 #include "jobs/imaged_target.h"
 #include "output/products/sweep_samples.h"
+#include "output/tables/stored.h"
 
 namespace raytube::python {
 
@@ -76,6 +78,71 @@ py::dict profiles(const SharedResult& result, std::optional<std::size_t> look, c
   d["unambiguous_m"] = made.limits.unambiguous;
   return d;
 }
+
+std::vector<double> values_of(const EvenAxis& axis) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < axis.count; ++i) values.push_back(axis.at(i) + 0.0);
+  return values;
+}
+
+void put_axis(py::dict& d, const char* name, const EvenAxis& axis) {
+  d[name] = owned_array<double>(values_of(axis), {static_cast<py::ssize_t>(axis.count)});
+}
+
+template <class Product>
+void put_velocities(py::dict& d, const Product& made) {
+  put_axis(d, "velocity_m_per_s", made.velocity);
+  std::vector<double> doppler = values_of(made.velocity);
+  for (double& each : doppler) each = made.doppler_of(each);
+  const auto count = static_cast<py::ssize_t>(doppler.size());
+  d["doppler_hz"] = owned_array<double>(std::move(doppler), {count});
+  d["doppler_frequency_hz"] = made.frequency;
+  d["velocity_resolution_m_per_s"] = made.velocity_limits.resolution;
+  d["velocity_unambiguous_m_per_s"] = made.velocity_limits.unambiguous;
+}
+
+// Of one look of the pulses, or of all of them as an array.
+py::dict doppler(const SharedResult& result, std::size_t look, bool angle, const std::string& mechanism, double range,
+                 double velocity, const std::string& window, double sidelobe_db, int padding) {
+  const DopplerOptions options{look, window_of(window, sidelobe_db), padding, range, velocity};
+  DopplerMap made = interruptibly(
+      [=](Watch&) { return (angle ? range_doppler_angle : doppler_map)(samples_of(*result, what, mechanism), options, what); });
+  py::dict d;
+  put_axis(d, "range_m", made.range);
+  put_velocities(d, made);
+  put_axis(d, "cosine", made.cosine);
+  d["S"] = owned_array<Complex>(std::move(made.s),
+                                {static_cast<py::ssize_t>(made.range.count), static_cast<py::ssize_t>(made.velocity.count),
+                                 static_cast<py::ssize_t>(made.cosine.count), 4});
+  d["time_s"] = made.time.middle();
+  if (made.range_limits) {
+    d["range_resolution_m"] = made.range_limits->resolution;
+    d["range_unambiguous_m"] = made.range_limits->unambiguous;
+  }
+  if (made.cosine_limits) {
+    d["cosine_resolution"] = made.cosine_limits->resolution;
+    d["cosine_unambiguous"] = made.cosine_limits->unambiguous;
+    d["array_direction"] = direction_tuple(made.array);
+  }
+  return d;
+}
+
+py::dict spectrogram_of(const SharedResult& result, std::size_t look, std::size_t length, double overlap,
+                        std::optional<double> gate, const std::string& mechanism, double range, double velocity,
+                        const std::string& window, double sidelobe_db, int padding) {
+  const SpectrogramOptions options{{look, window_of(window, sidelobe_db), padding, range, velocity}, length, overlap, gate};
+  Spectrogram made = interruptibly([=](Watch&) { return spectrogram(samples_of(*result, what, mechanism), options, what); });
+  py::dict d;
+  put_axis(d, "time_s", made.time);
+  put_velocities(d, made);
+  d["sigma_m2"] = owned_array<double>(
+      std::move(made.sigma), {static_cast<py::ssize_t>(made.time.count), static_cast<py::ssize_t>(made.velocity.count), 4});
+  d["window_pulses"] = made.length;
+  return d;
+}
+
+// The times of pulses, whose looks follow one another.
+std::vector<double> pulse_times(const SharedResult& result) { return pulse_grid(sweep_of(*result).times, what).times; }
 
 py::dict axis_of(const IsarImage& image, std::size_t axis) {
   std::vector<double> at;
@@ -159,6 +226,9 @@ void bind_products(py::module_& module) {
   module.def("centres", &centres);
   module.def("range_profiles", &profiles);
   module.def("isar", &isar);
+  module.def("doppler", &doppler);
+  module.def("spectrogram", &spectrogram_of);
+  module.def("pulse_times", &pulse_times);
   module.def("outline", &outline);
   module.def("sidelobe_limits_db", [] { return py::make_tuple(least_sidelobe_db, most_sidelobe_db); });
 }

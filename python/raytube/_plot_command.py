@@ -25,11 +25,11 @@ _OTHERS = (".jpg", ".jpeg", ".eps", ".ps", ".gif", ".tif", ".tiff", ".bmp")
 _LEAST_PIXELS, _MOST_PIXELS, _MOST_ELONGATED, _MOST_IN_ALL = 100, 20000, 4, 2e8
 _DPI = 150
 
-_DESCRIPTION = "Draws results as curves, maps or polar curves, and what profile, isar, centres, converge, compare, sources and run wrote beside them."
+_DESCRIPTION = "Draws results as curves, maps or polar curves, and what profile, isar, doppler, centres, converge, compare, sources and run wrote beside them."
 _EXAMPLES = """A result is rcs.csv, a netCDF file (.nc) of raytube's, or any table that compare takes. Sweeps over two quantities are maps, the
 whole sphere in a projection of equal areas; several results are curves in one picture. A result of a single look is printed
 as a table. Results become plot.png and plot.svg beside the first one; other files (parts.csv, image.csv, profile.csv or .nc,
-isar.csv or .nc, centres.csv, converge.csv, compare.csv, sources.csv) become pictures of the same name beside each.
+isar.csv or .nc, doppler.csv, spectrogram.csv, centres.csv, converge.csv, compare.csv, sources.csv) become pictures of the same name beside each.
 For a folder, all such files are drawn.
 
 Examples:

@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._rows import ANGLES, FREQUENCY, LABELS, LOOK, PHI, RX_PHI, RX_THETA, THETA, TIME, Cut, Grid, Rows, cuts_of, goes_round, grid_of, rows_of_result
-from raytube._tables import KEYS, Floats, largest_of_blocks
+from raytube._tables import KEYS, Floats, dbsm, largest_of_blocks
 
 if TYPE_CHECKING:
     from xarray import DataArray
 
-    from raytube._products import IsarImage, RangeProfiles
+    from raytube._products import DopplerMap, IsarImage, RangeProfiles, RawData, Spectrogram
     from raytube._result import Result
 
 CURVE_DEPTH, PROFILE_DEPTH, MAP_DEPTH, IMAGE_DEPTH = 80.0, 60.0, 50.0, 40.0  # below the peak there is nothing to see [dB]
@@ -31,6 +31,7 @@ _COLOURS = ("#0072b2", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#e69f00", "#
 _GREYS = ("#000000", "#808080", "#b0b0b0", "#606060", "#000000", "#808080", "#b0b0b0", "#606060")
 _DASHES = ("-", (0, (1, 1.5)), (0, (6, 2, 1, 2)), (0, (5, 2)))  # by channel
 MARKERS = "osD^vP*X"
+_VELOCITY = "velocity towards the radar (m/s)"
 _FEW_POINTS = 60
 _MOST_CELLS = 1500  # along an axis: more than a picture has pixels
 _ANGLE_STEPS = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0)
@@ -290,6 +291,47 @@ def draw_profile(ax: Any, ranges: Floats, sigma: dict[str, Floats], style: Style
     ax.grid(alpha=0.3)
 
 
+def doppler_levels(data: Any) -> Floats:
+    """Levels of a map [range, velocity, channel], of a spectrum [velocity, channel]; of an array the strongest along its cosine."""
+    sigma = data["sigma_dbsm"]
+    sigma = sigma.max("cosine") if "cosine" in sigma.dims else sigma
+    return np.asarray(sigma.transpose(*(name for name in ("range_m", "velocity_m_per_s", "channel") if name in sigma.dims)).values)
+
+
+def _add_doppler(axis: Any, place: str, hertz_per_velocity: float) -> None:
+    """Doppler frequencies beside velocities."""
+    add = axis.secondary_xaxis if place == "top" else axis.secondary_yaxis
+    beside = add(place, functions=(lambda v: v * hertz_per_velocity / 1e3, lambda khz: khz * 1e3 / hertz_per_velocity))
+    (beside.set_xlabel if place == "top" else beside.set_ylabel)("Doppler frequency (kHz)")
+
+
+def _hertz_per_velocity(data: Any) -> float:
+    return float(2.0 * data.attrs["doppler_frequency_hz"] / 299792458.0)
+
+
+def draw_doppler(ax: Any, data: Any, levels: Floats, **colours: Any) -> Any:
+    """Levels [range, velocity] as a map, with Doppler frequencies at the top."""
+    mesh = draw_cells(ax, data["velocity_m_per_s"].values, data["range_m"].values, levels, **colours)
+    ax.set(xlabel=_VELOCITY, ylabel="range (m)")
+    _add_doppler(ax, "top", _hertz_per_velocity(data))
+    return mesh
+
+
+def draw_velocities(ax: Any, data: Any, sigma: dict[str, Floats], style: Style) -> None:
+    """Levels against velocity, a curve a channel."""
+    draw_profile(ax, data["velocity_m_per_s"].values, sigma, style)
+    ax.set(xlabel=_VELOCITY)
+    _add_doppler(ax, "top", _hertz_per_velocity(data))
+
+
+def draw_spectrogram(ax: Any, data: Any, levels: Floats, **colours: Any) -> Any:
+    """Levels [velocity, time] as a map, with Doppler frequencies at the right."""
+    mesh = draw_cells(ax, data["time_s"].values, data["velocity_m_per_s"].values, levels, **colours)
+    ax.set(xlabel=LABELS[TIME], ylabel=_VELOCITY)
+    _add_doppler(ax, "right", _hertz_per_velocity(data))
+    return mesh
+
+
 def looks_axis(profiles: Any) -> tuple[Floats, int]:
     """What differs from look to look: one angle, or else their number."""
     angles = {key: profiles[KEYS[key]].values for key in (PHI, THETA, RX_PHI, RX_THETA, TIME) if KEYS[key] in profiles.coords}
@@ -368,6 +410,39 @@ def plot_isar(image: IsarImage, channel: str, ax: Any, edges: DataArray | None) 
     ax, (up, levels) = ax or _new_axes(), image_levels(image.sel(channel=[channel]))
     _add_map(ax, partial(draw_image, image=image, up=up, edges=edges), levels[..., 0], channel)
     ax.set_title("\n".join(text for text in (image.attrs.get("title", ""), image_text(image)) if text), fontsize="medium")
+    return ax
+
+
+def plot_doppler(data: DopplerMap, channel: str, ax: Any) -> Any:
+    """See `DopplerMap.plot`."""
+    ax, levels = ax or _new_axes(), doppler_levels(data.sel(channel=[channel]))
+    if levels.ndim == 3:
+        _add_map(ax, partial(draw_doppler, data=data), levels[..., 0], channel)
+    else:
+        draw_velocities(ax, data, {channel: levels[:, 0]}, Style())
+    ax.set_title(data.attrs["title"])
+    return ax
+
+
+def plot_spectrogram(data: Spectrogram, channel: str, ax: Any) -> Any:
+    """See `Spectrogram.plot`."""
+    ax = ax or _new_axes()
+    _add_map(ax, partial(draw_spectrogram, data=data), data["sigma_dbsm"].sel(channel=channel).transpose("velocity_m_per_s", "time_s").values, channel)
+    ax.set_title(data.attrs["title"])
+    return ax
+
+
+def plot_raw(data: RawData, channel: str, ax: Any) -> Any:
+    """See `RawData.plot`."""
+    ax, times = ax or _new_axes(), data["time_s"].values
+    levels = dbsm(data["S"].isel(receiver=0).sel(receive=channel[0], transmit=channel[1]).transpose("frequency", "pulse").values)
+    if len(levels) > 1:
+        _add_map(ax, lambda ax, levels, **colours: draw_cells(ax, times, data["frequency"].values / 1e9, levels, **colours), levels, channel)
+        ax.set(xlabel=LABELS[TIME], ylabel=LABELS[FREQUENCY])
+    else:
+        ax.plot(times, levels[0])
+        ax.set(xlabel=LABELS[TIME], ylabel=f"σ, {channel.upper()} (dBsm)")
+    ax.set_title(data.attrs["title"])
     return ax
 
 

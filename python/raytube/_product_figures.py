@@ -117,6 +117,59 @@ def figure_of_waterfall(results: list[Rows], options: Options) -> Figure:
     return draw()
 
 
+def doppler_pictures(file: str, options: Options) -> Pictures:
+    """``doppler.png``: a map over velocity and range of the strongest look, of one frequency curves over velocity."""
+    data = _strongest_look(_of_velocities(file, [name for name in ("range_m", "velocity_m_per_s", "cosine") if name in header_of(file)]))
+    levels, limits = _plots.doppler_levels(data), data.attrs
+    heading = f"{_title_beside(file, options)}\n" + ("range-Doppler map" if levels.ndim == 3 else "Doppler spectrum") + f": {_velocity_text(limits)}"
+    chosen = _signal(levels, MAP_DEPTH, options.channels)
+
+    def doppler() -> Figure:
+        if levels.ndim == 3:
+            return map_panels(partial(_plots.draw_doppler, data=data), levels, chosen, heading, options, (5.4, 4.2))
+        figure = canvas(9.5, 4.8, options)
+        ax = figure.add_subplot()
+        _plots.draw_velocities(ax, data, {CHANNELS[c]: levels[:, c] for c in chosen}, options.style)
+        _plots.add_key(ax)
+        ax.set_title(heading)
+        return figure
+
+    return {"doppler.png": doppler}
+
+
+def spectrogram_pictures(file: str, options: Options) -> Pictures:
+    """``spectrogram.png``: a map over time and velocity of the strongest look."""
+    data = _strongest_look(_of_velocities(file, ["time_s", "velocity_m_per_s"]))
+    levels = data["sigma_dbsm"].transpose("velocity_m_per_s", "time_s", "channel").values
+    heading = f"{_title_beside(file, options)}\nspectrogram: {_velocity_text(data.attrs)}"
+    draw = partial(_plots.draw_spectrogram, data=data)
+    return {"spectrogram.png": partial(map_panels, draw, levels, _signal(levels, MAP_DEPTH, options.channels), heading, options, (6.6, 3.8))}
+
+
+def _of_velocities(file: str, axes: list[str]) -> Any:
+    """A map or a spectrogram as a dataset (look, ..., channel) of ``sigma_dbsm``, from netCDF or from a table."""
+    import xarray as xr
+
+    if file.lower().endswith(".nc"):
+        with xr.open_dataset(file) as stored:
+            return stored.load().stack(channel=("receive", "transmit")).reset_index("channel", drop=True).assign_coords(channel=list(CHANNELS))
+    table, text = read_csv(file), " ".join(comments(file))
+    columns = table.set_index(["look", *axes]).to_xarray()
+    sigma = xr.concat([columns[f"sigma_{c}_dbsm"] for c in CHANNELS], xr.DataArray(list(CHANNELS), dims="channel", name="channel"))
+    numbers = re.search(r"at ([-\d.e+]+) Hz\..*?Peaks are ([\d.e+-]+) m/s wide.*?what is ([\d.e+-]+) m/s", text)
+    names = ("doppler_frequency_hz", "velocity_resolution_m_per_s", "velocity_unambiguous_m_per_s")
+    return xr.Dataset({"sigma_dbsm": sigma}, attrs=dict(zip(names, map(float, numbers.groups() if numbers else ()))))
+
+
+def _strongest_look(data: Any) -> Any:
+    return data.isel(look=int(data["sigma_dbsm"].max([name for name in data["sigma_dbsm"].dims if name != "look"]).argmax()))
+
+
+def _velocity_text(limits: Any) -> str:
+    return (f"f₀ = {limits['doppler_frequency_hz'] / 1e9:.5g} GHz, resolution {limits['velocity_resolution_m_per_s']:.3g} m/s, "
+            f"unambiguous {limits['velocity_unambiguous_m_per_s']:.4g} m/s")
+
+
 def _sweep_beside(file: str) -> dict[str, Any]:
     """Frequencies and angles of the result beside an image."""
     for name in ("rcs.csv", "rcs.nc"):
@@ -550,6 +603,8 @@ def _read_points(file: Path) -> tuple[str, dict[str, Any]]:
 # By columns that nothing else has.
 _KNOWN: tuple[tuple[set[str], Callable[[str, Options], Pictures]], ...] = (
     ({"cross_range_m"}, isar_pictures),
+    ({"time_s", "velocity_m_per_s"}, spectrogram_pictures),
+    ({"velocity_m_per_s"}, doppler_pictures),
     ({"range_m", "model_vv_dbsm"}, profile_pictures),
     ({"range_m", "model_dbsm"}, profile_pictures),
     ({"centre", "mechanism", "x_m"}, centres_pictures),

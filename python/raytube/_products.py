@@ -1,4 +1,4 @@
-"""Range profiles and images of results, as datasets that draw themselves. The only module that needs xarray when it is loaded."""
+"""Range profiles, images and Doppler of results, as datasets that draw themselves. The only module that needs xarray when it is loaded."""
 
 from __future__ import annotations
 
@@ -31,6 +31,7 @@ _SHAPED = ("taylor", "kaiser")
 _USUAL_SIDELOBE_DB = 35.0
 _AXES = {"range_m": "range", "cross_range_m": "cross-range", "height_m": "height"}
 _MOST_PADDING, _MOST_PIXELS, _LONGEST = 64, 32.0, 1e6
+_MOST_OVERLAP, _LIGHT = 0.999, 299792458.0
 
 
 class RangeProfiles(_Dataset):  # type: ignore[misc]
@@ -103,6 +104,94 @@ class IsarImage(_Dataset):  # type: ignore[misc]
                                 outline_over(self, outline_of(target)) if target is not None else self.get("outline"))
 
 
+class DopplerMap(_Dataset):  # type: ignore[misc]
+    """A range-Doppler map in the coordinates range_m and velocity_m_per_s, with an array also cosine; of one frequency the Doppler spectrum,
+    without range_m. Made by `Result.doppler`.
+
+    ``S`` is M(R, v) [m], complex; ``sigma_dbsm`` its level. ``velocity_m_per_s`` is counted towards the radar, of a bistatic look half the rate
+    at which the path shortens; ``doppler_hz`` the Doppler frequency 2 v / lambda. ``range_m`` [m] is that in the middle of the pulses, ``time_s``.
+    ``cosine`` is that between the direction from the array and ``array_direction``. ``attrs``: ``doppler_frequency_hz``, the middle of the band;
+    ``..._resolution...`` and ``..._unambiguous...`` of every axis; ``window``.
+    """
+
+    __slots__ = ()
+
+    def plot(self, channel: str = "vv", ax: Axes | None = None) -> Axes:
+        """Draws sigma: velocity to the right and range upwards, with an array the strongest cell along its cosine; of one frequency a curve.
+
+        Parameters
+        ----------
+        channel : str
+            "vv", "vh", "hv" or "hh".
+        ax : matplotlib Axes, optional
+            Default: a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        from raytube import _plots
+
+        return _plots.plot_doppler(self, _arguments.channels(channel, "plot")[0], ax)
+
+
+class Spectrogram(_Dataset):  # type: ignore[misc]
+    """Velocities over time, in the coordinates time_s and velocity_m_per_s. Made by `Result.spectrogram`.
+
+    ``sigma_dbsm``: the level of what has this velocity in the window of pulses about this time. Velocities as in `DopplerMap`. ``attrs``:
+    ``doppler_frequency_hz``, ``velocity_resolution_m_per_s``, ``velocity_unambiguous_m_per_s``, ``window``, ``window_pulses``.
+    """
+
+    __slots__ = ()
+
+    def plot(self, channel: str = "vv", ax: Axes | None = None) -> Axes:
+        """Draws sigma, time to the right and velocity upwards.
+
+        Parameters
+        ----------
+        channel : str
+            "vv", "vh", "hv" or "hh".
+        ax : matplotlib Axes, optional
+            Default: a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        from raytube import _plots
+
+        return _plots.plot_spectrogram(self, _arguments.channels(channel, "plot")[0], ax)
+
+
+class RawData(_Dataset):  # type: ignore[misc]
+    """The cube of data of pulses: ``S`` (pulse, frequency, receiver, receive, transmit) [m], complex. Made by `Result.raw`.
+
+    A receiver is a look of a pulse. Coordinates: ``time_s`` (pulse) and ``frequency`` [Hz]; of antennas at a finite distance
+    ``transmitter_m`` and ``receiver_m`` (pulse, receiver, xyz), their places in the coordinates of the mesh, of others
+    ``transmitter_direction`` and ``receiver_direction``, unit vectors towards them. S has the phase of the path beyond that by the origin.
+    """
+
+    __slots__ = ()
+
+    def plot(self, channel: str = "vv", ax: Axes | None = None) -> Axes:
+        """Draws the level of S of the first receiver over time and frequency; of one frequency a curve over time.
+
+        Parameters
+        ----------
+        channel : str
+            "vv", "vh", "hv" or "hh".
+        ax : matplotlib Axes, optional
+            Default: a new figure.
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        from raytube import _plots
+
+        return _plots.plot_raw(self, _arguments.channels(channel, "plot")[0], ax)
+
+
 def isar(result: Result, size: Any, pixels: Any, window: Any, sidelobe_db: Any, axes: int) -> IsarImage:
     """See `Result.isar` and `Result.isar_3d`."""
     kind, sidelobes = _window(window, sidelobe_db)
@@ -142,10 +231,7 @@ def range_profiles(result: Result, look: int | None, window: Any, sidelobe_db: A
     if look is not None and look >= looks:
         raise InputError(f"look {look}: there are {looks} direction pair(s), counted from 0; choose among these")
     kind, sidelobes = _window(window, sidelobe_db)
-    ranges = _arguments.whole(padding, "padding", _MOST_PADDING)
-    if ranges == 0:
-        raise InputError(f"padding: give a whole number from 1 to {_MOST_PADDING} (found 0)")
-    made = _core.range_profiles(result._stored, look, _outermost(result), kind, sidelobes, ranges)
+    made = _core.range_profiles(result._stored, look, _outermost(result), kind, sidelobes, _padding(padding))
     chosen = slice(None) if look is None else [look]
     angles = {name: values.isel(look=chosen) for name, values in result.S.coords.items() if values.dims == ("look",)}
     coordinates = angles | {"range_m": ("range_m", made["range_m"], {"units": "m", "long_name": "range"}), "channel": list(CHANNELS)}
@@ -161,6 +247,79 @@ def range_profiles(result: Result, look: int | None, window: Any, sidelobe_db: A
     if look is not None:
         profiles = profiles.isel(look=0)
     return profiles
+
+
+def doppler(result: Result, look: Any, angle: Any, middle: tuple[Any, Any], mechanism: Any, window: Any, sidelobe_db: Any,
+            padding: Any) -> DopplerMap:
+    """See `Result.doppler`."""
+    kind, sidelobes = _window(window, sidelobe_db)
+    made = _core.doppler(result._stored, _arguments.whole(look, "look"), bool(angle), *_of_pulses(mechanism, middle), kind, sidelobes, _padding(padding))
+    s, axes = made.pop("S"), ["range_m", "velocity_m_per_s", "cosine"]
+    for at in (2, 0):
+        if s.shape[at] == 1:
+            s = s.squeeze(at)
+            made.pop(axes.pop(at))
+    coordinates = _velocities(made)
+    for name in axes:
+        if name in made:
+            coordinates[name] = (name, made.pop(name), {"units": "m" if name == "range_m" else "1", "long_name": name.removesuffix("_m")})
+    return DopplerMap(_levels((*axes, "channel"), s, "range-Doppler map M"), coordinates | {"channel": list(CHANNELS)},
+                      {"title": result.title, "window": _window_text(kind, sidelobes)} | made)
+
+
+def spectrogram(result: Result, look: Any, length: Any, overlap: Any, gate_m: Any, middle: tuple[Any, Any], mechanism: Any, window: Any,
+                sidelobe_db: Any, padding: Any) -> Spectrogram:
+    """See `Result.spectrogram`."""
+    kind, sidelobes = _window(window, sidelobe_db)
+    pulses = 0 if length is None else _arguments.whole(length, "length")
+    if length is not None and pulses < 2:
+        raise InputError(f"length: a window has 2 pulses or more (found {pulses})")
+    gate = None if gate_m is None else _between(gate_m, "gate_m", 0.0, _LONGEST)
+    made = _core.spectrogram(result._stored, _arguments.whole(look, "look"), pulses, _between(overlap, "overlap", 0.0, _MOST_OVERLAP), gate,
+                             *_of_pulses(mechanism, middle), kind, sidelobes, _padding(padding))
+    coordinates = _velocities(made) | {"time_s": ("time_s", made.pop("time_s"), {"units": "s", "long_name": "time"}), "channel": list(CHANNELS)}
+    with np.errstate(divide="ignore"):
+        levels = 10.0 * np.log10(made.pop("sigma_m2"))
+    return Spectrogram({"sigma_dbsm": (("time_s", "velocity_m_per_s", "channel"), levels, {"units": "dBsm", "long_name": "radar cross-section"})},
+                       coordinates, {"title": result.title, "window": _window_text(kind, sidelobes)} | made)
+
+
+def raw(result: Result) -> RawData:
+    """See `Result.raw`."""
+    stored, times = result._stored, np.array(_core.pulse_times(result._stored))
+    pulses, (looks, frequencies) = len(times), stored.S.shape[:2]
+    receivers = looks // pulses
+    far = not np.all(np.isfinite(stored.range_m))
+    coordinates: dict[str, Any] = {"time_s": ("pulse", times, {"units": "s", "long_name": "time of the pulse"}),
+                                   "frequency": ("frequency", stored.frequency_hz, {"units": "Hz", "long_name": "frequency"}),
+                                   "receive": ["v", "h"], "transmit": ["v", "h"], "xyz": ["x", "y", "z"]}
+    for name, prefix in (("transmitter", ""), ("receiver", "rx_")):
+        theta, phi, distance = (getattr(stored, f"{prefix}{key}") for key in ("theta_deg", "phi_deg", "range_m"))
+        sine = np.sin(np.radians(theta))
+        towards = np.column_stack([sine * np.cos(np.radians(phi)), sine * np.sin(np.radians(phi)), np.cos(np.radians(theta))])
+        values, text = (towards, "unit vector towards the ") if far else (towards * distance[:, None], "place of the ")
+        coordinates[f"{name}_direction" if far else f"{name}_m"] = (
+            ("pulse", "receiver", "xyz"), values.reshape(pulses, receivers, 3), {"units": "1" if far else "m", "long_name": text + name})
+    s = stored.S.reshape(pulses, receivers, frequencies, 2, 2).transpose(0, 2, 1, 3, 4)
+    return RawData({"S": (("pulse", "frequency", "receiver", "receive", "transmit"), s, {"units": "m", "long_name": "scattering amplitude S"})},
+                   coordinates, {"title": result.title})
+
+
+def _of_pulses(mechanism: Any, middle: tuple[Any, Any]) -> tuple[str, float, float]:
+    name = "" if mechanism is None else _arguments.text(mechanism, "mechanism")
+    return name, _between(middle[0], "middle_range_m", -_LONGEST, _LONGEST), _between(middle[1], "middle_velocity_m_per_s", -_LIGHT, _LIGHT)
+
+
+def _velocities(made: dict[str, Any]) -> dict[str, Any]:
+    return {"velocity_m_per_s": ("velocity_m_per_s", made.pop("velocity_m_per_s"), {"units": "m s-1", "long_name": "velocity towards the radar"}),
+            "doppler_hz": ("velocity_m_per_s", made.pop("doppler_hz"), {"units": "Hz", "long_name": "Doppler frequency"})}
+
+
+def _padding(padding: Any) -> int:
+    number = _arguments.whole(padding, "padding", _MOST_PADDING)
+    if number == 0:
+        raise InputError(f"padding: give a whole number from 1 to {_MOST_PADDING} (found 0)")
+    return number
 
 
 def _outermost(result: Result) -> list[list[float]]:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.axes import Axes
 
-    from raytube._products import IsarImage, Outline, RangeProfiles
+    from raytube._products import DopplerMap, IsarImage, Outline, RangeProfiles, RawData, Spectrogram
 
 _Choice = str | tuple[str, ...] | list[str]
 _S_UNITS = {"units": "m", "long_name": "scattering amplitude S"}
@@ -331,6 +331,107 @@ class Result:
         from raytube import _products
 
         return _products.isar(self, size, pixels, window, sidelobe_db, 3)
+
+    def doppler(self, look: int = 0, *, angle: bool = False, mechanism: str | None = None, middle_range_m: float = 0.0,
+                middle_velocity_m_per_s: float = 0.0, window: str = "taylor", sidelobe_db: float = 35.0, padding: int = 2) -> DopplerMap:
+        """The range-Doppler map of a scene that moves: where its return comes from, and how fast that comes nearer.
+
+        ``M(R, v) = sum of w S exp(2 j k (R - v t)) / sum of w`` over pulses and frequencies, t from the middle of the pulses; a point of sigma
+        reads sigma at its peak. What approaches has a positive velocity and a positive Doppler frequency, 2 v / lambda. What crosses ranges
+        meanwhile stays at its place: the keystone transform [1]_, exact at every frequency.
+
+        Parameters
+        ----------
+        look : int
+            Of the looks of a pulse, counted from 0.
+        angle : bool
+            Also over the angle: the looks of a pulse are antennas in even steps on a straight line, at places (``radar.position_m``).
+        mechanism : str, optional
+            S of this one of `mechanisms` alone.
+        middle_range_m, middle_velocity_m_per_s : float
+            Middle of what is shown [m], [m/s]; as much is shown as is unambiguous.
+        window, sidelobe_db
+            As in `range_profile`, over frequencies, pulses and antennas.
+        padding : int
+            Number of ranges and velocities per resolution cell; 1 to 64.
+
+        Returns
+        -------
+        xarray.Dataset
+            A `DopplerMap` of the dimensions (range_m, velocity_m_per_s, channel), with ``angle`` cosine before channel, of one frequency without
+            range_m; with a method ``plot``.
+
+        Raises
+        ------
+        InputError
+            If nothing moves, for a single pulse, pulses in uneven steps, and with ``angle`` for looks that are no array.
+
+        Notes
+        -----
+        The numbers are those of ``raytube doppler``.
+
+        References
+        ----------
+        .. [1] R. P. Perry, R. C. DiPietro and R. L. Fante, IEEE Trans. Aerosp. Electron. Syst. 35 (1999), 188.
+        """
+        from raytube import _products
+
+        return _products.doppler(self, look, angle, (middle_range_m, middle_velocity_m_per_s), mechanism, window, sidelobe_db, padding)
+
+    def spectrogram(self, look: int = 0, *, length: int | None = None, overlap: float = 0.75, gate_m: float | None = None,
+                    mechanism: str | None = None, middle_range_m: float = 0.0, middle_velocity_m_per_s: float = 0.0, window: str = "taylor",
+                    sidelobe_db: float = 35.0, padding: int = 2) -> Spectrogram:
+        """Velocities over time, of windows of pulses one after the other: micro-Doppler.
+
+        Parameters
+        ----------
+        look : int
+            Of the looks of a pulse, counted from 0.
+        length : int, optional
+            Pulses of a window. Default: the root of their number, for as many cells of time as of velocity.
+        overlap : float
+            Share of a window that the next one has in common with it, 0 to 0.999.
+        gate_m : float, optional
+            Width of the ranges that count, about the middle one [m]; 0 for that one alone. Default: all. Their powers are added; a point in
+            the middle of the gate reads its sigma.
+        mechanism, middle_range_m, middle_velocity_m_per_s, window, sidelobe_db, padding
+            As in `doppler`.
+
+        Returns
+        -------
+        xarray.Dataset
+            A `Spectrogram` of the dimensions (time_s, velocity_m_per_s, channel), with a method ``plot``.
+
+        Raises
+        ------
+        InputError
+            As `doppler` does, and for a window of more pulses than there are.
+
+        Notes
+        -----
+        The numbers are those of ``raytube doppler --spectrogram``.
+        """
+        from raytube import _products
+
+        return _products.spectrogram(self, look, length, overlap, gate_m, (middle_range_m, middle_velocity_m_per_s), mechanism, window,
+                                     sidelobe_db, padding)
+
+    def raw(self) -> RawData:
+        """The cube of data of a scene that moves, for processing of your own.
+
+        Returns
+        -------
+        xarray.Dataset
+            A `RawData`: S of the dimensions (pulse, frequency, receiver, receive, transmit) with the times of pulses and the places of antennas.
+
+        Raises
+        ------
+        InputError
+            If nothing moves, and for a single pulse.
+        """
+        from raytube import _products
+
+        return _products.raw(self)
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes the result to a file, which appears once it is complete.

@@ -45,6 +45,7 @@ struct SweepSamples {
   std::vector<SweepLook> looks{};
   std::vector<ScatteringMatrix> s{};            // [m]
   std::vector<ChannelErrors> error{}, model{};  // of |S| [m]
+  std::vector<double> times{};                  // of looks [s], of scenes that move
 
   std::size_t row(std::size_t look, std::size_t f) const { return look * frequency.count + f; }
   double wavenumber_at(std::size_t f) const { return wavenumber(frequency.at(f)); }

@@ -115,7 +115,7 @@ int run_command_line(int argc, const char* const* argv, Ranks* ranks) {
   CommandLine line{app, ranks, words_of(argc, argv)};
   using AddCommand = CLI::App& (*)(CommandLine&);
   const std::pair<const char*, std::vector<AddCommand>> groups[] = {
-      {"Compute", {add_run, add_merge, add_converge, add_profile, add_isar, add_centres, add_sources}},
+      {"Compute", {add_run, add_merge, add_converge, add_profile, add_isar, add_doppler, add_centres, add_sources}},
       {"Inspect", {add_check, add_trace}},
       {"Compare and convert", {add_compare, add_convert}}};
   for (const auto& [group, commands] : groups)

@@ -3,9 +3,9 @@
 //     command_line  the list of commands, their help, and the sentences about unknown words;  main: exceptions -> exit codes
 //     options       options that several commands have
 //     run/          raytube run and merge: a case into its folder, or shards of it
-//     check, trace, compare, converge, convert, profile, isar, centres: each command with its options and its help
+//     check, trace, compare, converge, convert, profile, isar, doppler, centres: each command with its options and its help
 //     helping       several processes at one command;  python: commands and pictures of the Python package
-//     products      what profile, isar and centres have in common;  images: the images of a run
+//     products      what profile, isar, doppler and centres have in common;  images: the images of a run
 //     work/         where files go (destination), how they get there (results), interrupts (interrupt, look_journal), progress
 //
 // This file: the command line while it is parsed, and the functions by which each command adds itself to it.
@@ -45,6 +45,7 @@ CLI::App& add_merge(CommandLine& line);
 CLI::App& add_converge(CommandLine& line);
 CLI::App& add_profile(CommandLine& line);
 CLI::App& add_isar(CommandLine& line);
+CLI::App& add_doppler(CommandLine& line);
 CLI::App& add_centres(CommandLine& line);
 CLI::App& add_sources(CommandLine& line);  // point_source/command.cpp
 CLI::App& add_check(CommandLine& line);

@@ -104,8 +104,7 @@ void add_sweep_input(CLI::App& command, SweepOptions& options, bool required) {
       ->required(required);
 }
 
-void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& options) {
-  Window& window = options.window;
+void add_window_options(CLI::App& command, Window& window) {
   command
       .add_option_function<std::string>(
           "--window", [&window](const std::string& name) { window.kind = *window_of_name(name); },
@@ -116,6 +115,18 @@ void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& optio
       });
   add_value(command, "--sidelobes DB", window.sidelobe_db, "taylor, kaiser: level of the side lobes below the peak; default 35",
             number_between(least_sidelobe_db, most_sidelobe_db));
+}
+
+void add_product_options(CommandLine& line, CLI::App& command, RunOptions& run) {
+  add_set_option(command, run.input);
+  command.add_flag("--resume", run.resume, "Continue an interrupted run: keep the finished looks in the folder");
+  add_output_option(command, run.output, "Folder for the results, or FILE.nc; default <case folder>/out, or that of the result");
+  add_machine_options(line, command, run.work);
+  add_quiet_option(command, run.work.quiet, "summary");
+}
+
+void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& options) {
+  add_window_options(command, options.window);
   CLI::Option* direct = command.add_flag(
       "--direct", options.direct,
       "For a case: from the place of every current, in the middle look at the middle frequency, without the sweep");
@@ -128,12 +139,7 @@ void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& optio
             })
       ->delimiter(',')
       ->needs(direct);
-  RunOptions& run = options.run;
-  add_set_option(command, run.input);
-  command.add_flag("--resume", run.resume, "Continue an interrupted run: keep the finished looks in the folder");
-  add_output_option(command, run.output, "Folder for the results, or FILE.nc; default <case folder>/out, or that of the result");
-  add_machine_options(line, command, run.work);
-  add_quiet_option(command, run.work.quiet, "summary");
+  add_product_options(line, command, options.run);
 }
 
 void check_sidelobes(const CLI::App& command, const Window& window) {
@@ -185,7 +191,7 @@ void Product::write(const fs::path& folder, const Destination& destination, bool
   if (!destination.one_file()) {
     write_files(folder);
     stop_if_interrupted();
-    draw_with_python(folder, {drawn}, run.empty() ? folder : run);
+    if (!drawn.empty()) draw_with_python(folder, {drawn}, run.empty() ? folder : run);
   }
   if (destination.one_file() || with_netcdf) write_netcdf(folder / (destination.one_file() ? destination.file : netcdf));
   stop_if_interrupted();

@@ -1,5 +1,5 @@
-// What profile, isar and centres have in common: the input, which is a result, a case that is run first, or a case that is taken
-// to pieces, and the files that come of it.
+// What profile, isar, doppler and centres have in common: the input, which is a result, a case that is run first, or a case that
+// is taken to pieces, and the files that come of it.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 
 namespace raytube {
 
-/// Options of profile and isar.
+/// Options of profile, isar and doppler.
 struct SweepOptions {
   RunOptions run;  // its input may be a result
   Window window;   // over frequencies, and for images also over angles
@@ -30,6 +30,9 @@ struct SweepOptions {
 };
 
 void add_sweep_input(CLI::App& command, SweepOptions& options, bool required);
+void add_window_options(CLI::App& command, Window& window);
+void add_product_options(CommandLine& line, CLI::App& command, RunOptions& run);
+/// Both, and the options of --direct.
 void add_sweep_options(CommandLine& line, CLI::App& command, SweepOptions& options);
 
 /// Throws InputError if --sidelobes does not go with the window.
@@ -69,7 +72,7 @@ struct Product {
   std::function<void()> check{};        // throws InputError for a sweep that nothing can be made of; S is not there yet
   std::function<std::string()> make{};  // returns the text to print
   std::function<void(const std::filesystem::path&)> write_files{}, write_netcdf{};  // into a folder; to a file
-  std::string drawn{};                                                              // the table that pictures are drawn from
+  std::string drawn{};          // the table that pictures are drawn from; empty: none
   std::filesystem::path run{};  // the run's folder, or the case, for the target in pictures; empty: the folder of the table
   ProductSource source{};       // set before any of these is called
 

@@ -260,3 +260,107 @@ def test_centres_of_a_trihedral_are_its_apex():
     assert np.allclose(found.S.sum("centre").values + found.rest.values, whole, rtol=0.0, atol=1e-9 * np.abs(whole).max())
     with pytest.raises(rt.InputError, match="counted from 0"):
         rt.centres(target, ghz=10.0, looks=looks, look=1)
+
+
+PULSES, INTERVAL = 96, 50e-6
+BAND = 76.8e9 + 12.5e6 * np.arange(24)
+MOVING = ((-2.0, -12.0, 1.0), (2.5, 7.5, 0.5))  # range in the middle of the pulses [m], velocity [m/s], amplitude
+
+
+def of_pulses(frequencies=BAND, points=MOVING, looks=1):
+    """A result of points that move evenly: S = sum of A exp(-2 j k (R - v t)); each look of a pulse half of the one before."""
+    times = 1.0 + INTERVAL * np.arange(PULSES)
+    t, k = (times - times.mean())[:, None], 2 * np.pi * frequencies / C
+    s = sum(amplitude * np.exp(-2j * k * (place - velocity * t)) for place, velocity, amplitude in points)
+    cube = np.zeros((PULSES, looks, len(frequencies), 2, 2), complex)
+    cube[..., 0, 0] = s[:, None] * 0.5 ** np.arange(looks)[:, None]
+    rows = np.column_stack([np.repeat([[90.0, 0.0, 90.0, 0.0]], PULSES * looks, axis=0), np.repeat(times, looks)])
+    return Result(_core.Stored.from_arrays(frequencies, rows, False, cube.reshape(-1, len(frequencies), 2, 2), [("title", "pulses")]))
+
+
+def test_rows_have_their_times(tmp_path):
+    result = of_pulses(looks=2)
+    assert result.S.time_s.dims == ("look",) and result.to_dataframe().columns[5] == "time_s"
+    for name in ("a.nc", "a.csv"):
+        result.save(tmp_path / name)
+        loaded = rt.load(tmp_path / name)
+        assert np.array_equal(loaded.S.time_s, result.S.time_s) and np.array_equal(loaded.S.values, result.S.values)
+    assert "time_s" not in of_points([90], [0, 1]).S.coords
+    assert rt.compare(tmp_path / "a.csv", result).rows == 2 * PULSES * len(BAND)
+
+
+def test_moving_points_are_where_they_are():
+    result = of_pulses()
+    doppler = result.doppler(padding=16)
+    assert doppler.S.dims == ("range_m", "velocity_m_per_s", "channel")
+    assert doppler.attrs["time_s"] == pytest.approx(1.0 + INTERVAL * (PULSES - 1) / 2)
+    for place, velocity, amplitude in MOVING:
+        level = doppler.sigma_dbsm.sel(channel="vv").sel(range_m=place, velocity_m_per_s=velocity, method="nearest")
+        assert float(level) == pytest.approx(10 * np.log10(4 * np.pi * amplitude**2), abs=0.1)
+    peak = doppler.sigma_dbsm.sel(channel="vv").argmax(...)
+    at = doppler.drop_vars("channel").isel(peak)
+    assert float(at.velocity_m_per_s) == pytest.approx(-12.0, abs=doppler.attrs["velocity_unambiguous_m_per_s"] / PULSES / 20)
+    assert float(at.doppler_hz) == pytest.approx(2 * float(at.velocity_m_per_s) * doppler.attrs["doppler_frequency_hz"] / C)
+
+
+def test_a_spectrogram_holds_velocities_over_time():
+    made = of_pulses(BAND[:1], MOVING[:1]).spectrogram(length=32, overlap=0.5, padding=8)
+    assert made.sigma_dbsm.dims == ("time_s", "velocity_m_per_s", "channel") and len(made.time_s) == 5
+    ridge = made.sigma_dbsm.sel(channel="vv").idxmax("velocity_m_per_s")
+    assert np.allclose(ridge, -12.0, atol=made.attrs["velocity_unambiguous_m_per_s"] / 32 / 8)
+    assert np.allclose(made.sigma_dbsm.sel(channel="vv").max("velocity_m_per_s"), 10 * np.log10(4 * np.pi), atol=0.1)
+    assert float(made.time_s[0]) == pytest.approx(1.0 + INTERVAL * 15.5)
+
+
+def test_raw_data_are_the_rows(program, tmp_path):
+    result = of_pulses(looks=3)
+    raw = result.raw()
+    assert dict(raw.S.sizes) == {"pulse": PULSES, "frequency": 24, "receiver": 3, "receive": 2, "transmit": 2}
+    assert np.array_equal(raw.S.values[7, :, 2], result.S.values[7 * 3 + 2])
+    result.save(tmp_path / "rcs.nc")
+    program("doppler", tmp_path / "rcs.nc", "--raw", "-o", tmp_path / "raw.nc", "--quiet")
+    with xr.open_dataset(tmp_path / "raw.nc") as file:
+        assert np.array_equal(file.S_re + 1j * file.S_im, raw.S)
+        assert np.array_equal(file.time_s, raw.time_s)
+        for name in ("transmitter_direction", "receiver_direction"):
+            assert np.allclose(file[name], raw[name], rtol=0, atol=1e-15)
+
+
+def test_doppler_of_the_program_is_the_same(program, tmp_path):
+    result = of_pulses(looks=2)
+    result.save(tmp_path / "rcs.csv")
+    program("doppler", tmp_path / "rcs.csv", "--look", "1", "--quiet", with_python=True)
+    program("doppler", tmp_path / "rcs.csv", "--look", "1", "-o", tmp_path / "doppler.nc", "--quiet")
+    doppler, table = result.doppler(look=1), rows_of(tmp_path / "doppler.csv")
+    s = doppler.S.sel(channel="vv").values.ravel()
+    assert np.allclose([float(row["re_vv"]) + 1j * float(row["im_vv"]) for row in table], s, rtol=0, atol=1e-8)
+    assert {row["look"] for row in table} == {"1"}
+    with xr.open_dataset(tmp_path / "doppler.nc") as file:
+        assert np.array_equal((file.S_re + 1j * file.S_im).isel(look=0, receive=0, transmit=0).values.ravel(), s)
+        assert float(file.attrs["peak_velocity_m_per_s"]) == pytest.approx(-12.0, abs=0.02)
+    program("doppler", tmp_path / "rcs.csv", "--spectrogram", "--quiet", with_python=True)
+    assert (tmp_path / "doppler.png").exists() and (tmp_path / "spectrogram.png").exists()
+
+
+@pytest.mark.parametrize("call, sentence", [
+    (lambda r: of_points([90], [0, 1]).doppler(), "nothing moves"),
+    (lambda r: r.doppler(look=1), "a pulse has no look 1"),
+    (lambda r: r.doppler(angle=True), "an angle takes antennas at places"),
+    (lambda r: r.doppler(mechanism="bounce_1"), "holds no mechanism bounce_1"),
+    (lambda r: r.spectrogram(length=1), "a window has 2 pulses or more"),
+    (lambda r: r.spectrogram(length=97), "from 2 to 96"),
+    (lambda r: r.spectrogram(overlap=1.0), "overlap: give a number from 0 to 0.999"),
+])
+def test_sentences_about_pulses(call, sentence):
+    with pytest.raises(rt.InputError, match=re.escape(sentence)):
+        call(of_pulses())
+
+
+def test_pictures_of_pulses():
+    result = of_pulses()
+    ax = result.doppler().plot()
+    assert "velocity" in of_pulses(BAND[:1]).doppler().plot().get_xlabel()
+    assert "velocity" in ax.get_xlabel() and ax.get_ylabel() == "range (m)"
+    assert result.spectrogram().plot().get_xlabel() == "time (s)"
+    assert result.raw().plot().get_xlabel() == "time (s)"
+    assert result.plot("vv").get_xlabel() == "time (s)"

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "output/tables/csv.h"
+#include "output/tables/stored.h"
 
 namespace raytube {
 
@@ -55,6 +56,15 @@ std::optional<AngleGrid> scan_of_looks(const StoredResult& result) {
   return scan_grid(places);
 }
 
+const std::vector<ScatteringMatrix>& part_of(const StoredResult& result, const std::string& name, const std::string& mechanism) {
+  const auto part = std::ranges::find(result.parts, mechanism, &StoredPart::name);
+  if (part != result.parts.end()) return part->s;
+  std::string names;
+  for (const StoredPart& each : result.parts) names += (names.empty() ? "" : ", ") + each.name;
+  throw InputError(fmt::format("{}: holds no mechanism {}; {}", name, mechanism,
+                               names.empty() ? "give a result (.nc) of raytube run --parts" : "choose among " + names));
+}
+
 }  // namespace
 
 std::vector<ChannelErrors> errors_in_metres(const StoredResult& result) {
@@ -65,12 +75,13 @@ std::vector<ChannelErrors> model_in_metres(const StoredResult& result) {
   return errors_of(result, result.model_m, result.model_db);
 }
 
-SweepSamples samples_of(const StoredResult& result, const std::string& name) {
+SweepSamples samples_of(const StoredResult& result, const std::string& name, const std::string& mechanism) {
   SweepSamples samples{.frequency = even_axis(result.frequency_hz, name + ": frequencies", "Hz")};
   for (const StoredLook& look : result.looks)
     samples.looks.push_back({direction_of(look.theta_deg, look.phi_deg), direction_of(look.rx_theta_deg, look.rx_phi_deg),
                              look.range_m, look.rx_range_m});
-  samples.s = result.s;
+  samples.times = sweep_of(result).times;
+  samples.s = mechanism.empty() ? result.s : part_of(result, name, mechanism);
   require_finite(samples.s, name);
   samples.error = errors_in_metres(result);
   samples.model = model_in_metres(result);

@@ -9,8 +9,8 @@
 namespace raytube {
 
 /// The rows of a result. Where it holds no errors in metres they follow from its levels. Throws InputError that begins with
-/// `name` for frequencies that are not in even steps.
-SweepSamples samples_of(const StoredResult& result, const std::string& name);
+/// `name` for frequencies that are not in even steps, and for a mechanism that the result does not hold; empty: all together.
+SweepSamples samples_of(const StoredResult& result, const std::string& name, const std::string& mechanism = "");
 
 /// Numerical error and model uncertainty of |S| [m], which follow from the levels of a result that does not hold them.
 std::vector<ChannelErrors> errors_in_metres(const StoredResult& result);
