@@ -93,7 +93,7 @@ def _read_pixels(file: str, columns: str, option: str) -> Image:
     try:  # a table whose looks are places of pixels
         table = _core.Table.of_file(file, ",".join(f"{ours}={theirs}" for ours, theirs in {**places, **chosen}.items()), option)
     except InputError as error:
-        raise InputError(str(error).replace("write an angle in degrees or a frequency", "write where the pixel is")) from None
+        raise InputError(str(error).replace("write an angle in degrees, a frequency or a time in seconds", "write where the pixel is")) from None
     axes, index = [], []
     for values, name in ((table.keys[:, 3], pair[1]), (table.keys[:, 4], pair[0])):
         ascending = np.sort(values)

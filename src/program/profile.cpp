@@ -35,11 +35,11 @@ struct ProfileRequest : SweepOptions {
 
 // Sweeps from several files may contain a look twice.
 void warn_of_repeated_looks(const ProductSource& source) {
-  std::map<std::array<double, 6>, std::size_t> known;
+  std::map<std::array<double, 7>, std::size_t> known;
   for (std::size_t i = 0; i < source.result.looks.size(); ++i) {
     const StoredLook& look = source.result.looks[i];
-    const auto [first, is_new] =
-        known.try_emplace({look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg, look.range_m, look.rx_range_m}, i);
+    const auto [first, is_new] = known.try_emplace(
+        {look.theta_deg, look.phi_deg, look.rx_theta_deg, look.rx_phi_deg, look.range_m, look.rx_range_m, look.time_s}, i);
     if (is_new) continue;
     return warn(fmt::format("{}: look {} (theta {:g}, phi {:g}) has the directions of look {}; both are shown", source.name, i,
                             look.theta_deg, look.phi_deg, first->second));

@@ -298,7 +298,7 @@ def test_moving_points_are_where_they_are():
         level = doppler.sigma_dbsm.sel(channel="vv").sel(range_m=place, velocity_m_per_s=velocity, method="nearest")
         assert float(level) == pytest.approx(10 * np.log10(4 * np.pi * amplitude**2), abs=0.1)
     peak = doppler.sigma_dbsm.sel(channel="vv").argmax(...)
-    at = doppler.drop_vars("channel").isel(peak)
+    at = doppler.isel({name: int(index) for name, index in peak.items()})
     assert float(at.velocity_m_per_s) == pytest.approx(-12.0, abs=doppler.attrs["velocity_unambiguous_m_per_s"] / PULSES / 20)
     assert float(at.doppler_hz) == pytest.approx(2 * float(at.velocity_m_per_s) * doppler.attrs["doppler_frequency_hz"] / C)
 

@@ -11,7 +11,7 @@ namespace raytube {
 
 namespace {
 
-std::string head(const RangeProfiles& profiles, const Window& window) {
+std::string head(const RangeProfiles& profiles, const Window& window, bool moving) {
   const RangeLimits& limits = profiles.limits;
   std::string text = fmt::format(
       "# Range profiles: p(R) = sum of w S exp(j 2 k R) / sum of w over the frequencies, weights w: {}. range_m: beyond the "
@@ -27,7 +27,7 @@ std::string head(const RangeProfiles& profiles, const Window& window) {
   text += "theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,range_m" + amplitude_columns();
   for (const char* level : {"error", "model"})
     for (const char* channel : channel_names) text += fmt::format(",{}_{}_dbsm", level, channel);
-  return text + '\n';
+  return text + (moving ? ",time_s\n" : "\n");
 }
 
 std::string floors_text(const ChannelErrors& errors) {
@@ -43,14 +43,15 @@ std::string row_text(double range, const ScatteringMatrix& s) { return fmt::form
 void write_profile_csv(const std::filesystem::path& file, const StoredResult& result, const RangeProfiles& profiles,
                        const Window& window) {
   OutputFile out(file);
-  out.write(head(profiles, window));
+  out.write(head(profiles, window, result.moving));
   for (std::size_t look = 0; look < result.looks.size(); ++look) {
     const StoredLook& at = result.looks[look];
     const std::string keys = fmt::format("{},{},{},{}", number_text(at.theta_deg), number_text(at.phi_deg),
                                          number_text(at.rx_theta_deg), number_text(at.rx_phi_deg)),
-                      floors = floors_text(profiles.error[look]) + floors_text(profiles.model[look]);
+                      floors = floors_text(profiles.error[look]) + floors_text(profiles.model[look]),
+                      end = result.moving ? ',' + number_text(at.time_s) + '\n' : "\n";
     for (std::size_t i = 0; i < profiles.range.count; ++i)
-      out.write(keys + row_text(profiles.range.at(i), profiles.s[look * profiles.range.count + i]) + floors + '\n');
+      out.write(keys + row_text(profiles.range.at(i), profiles.s[look * profiles.range.count + i]) + floors + end);
   }
   out.commit();
 }

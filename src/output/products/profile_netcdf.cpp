@@ -10,7 +10,9 @@ namespace raytube {
 
 namespace {
 
-constexpr const char* of_looks = "theta_deg phi_deg rx_theta_deg rx_phi_deg";
+std::string of_looks(const StoredResult& result) {
+  return std::string("theta_deg phi_deg rx_theta_deg rx_phi_deg") + (result.moving ? " time_s" : "");
+}
 
 void write_head(NewNetcdf& out, const StoredResult& result, const RangeProfiles& profiles, const Window& window) {
   describe_product(out, result, window);
@@ -29,14 +31,16 @@ void write_axes(NewNetcdf& out, const StoredResult& result, const EvenAxis& rang
   out.dimension("range_m", range.count);
   out.polarisations();
   out.looks(result.looks);
+  if (result.moving) out.times(result.looks);
   std::vector<double> at;
   for (std::size_t i = 0; i < range.count; ++i) at.push_back(range.at(i));
   out.put(out.variable("range_m", {"range_m"}, "m", "range"), at);
 }
 
-void write_floor(NewNetcdf& out, const char* name, const char* long_name, const std::vector<ChannelErrors>& errors) {
+void write_floor(NewNetcdf& out, const StoredResult& result, const char* name, const char* long_name,
+                 const std::vector<ChannelErrors>& errors) {
   const int variable = out.variable(name, {"look", "receive", "transmit"}, "dBsm", long_name);
-  out.attribute(variable, "coordinates", of_looks);
+  out.attribute(variable, "coordinates", of_looks(result));
   std::vector<double> levels = flat(errors);
   for (double& each : levels) each = sigma_dbsm(each);
   out.put(variable, levels);
@@ -49,9 +53,9 @@ void write_profile_netcdf(const std::filesystem::path& file, const StoredResult&
   NewNetcdf out(file);
   write_head(out, result, profiles, window);
   write_axes(out, result, profiles.range);
-  write_amplitudes(out, {"look", "range_m"}, "range profile p", of_looks, profiles.s);
-  write_floor(out, "error_dbsm", "numerical error if all of it were at one range", profiles.error);
-  write_floor(out, "model_dbsm", "model uncertainty if all of it were at one range", profiles.model);
+  write_amplitudes(out, {"look", "range_m"}, "range profile p", of_looks(result), profiles.s);
+  write_floor(out, result, "error_dbsm", "numerical error if all of it were at one range", profiles.error);
+  write_floor(out, result, "model_dbsm", "model uncertainty if all of it were at one range", profiles.model);
   out.write();
 }
 
