@@ -32,10 +32,14 @@ function raytube_plot(result, channel)
   end
 end
 
-% The angle whose value tells every look from the others, or else the number of the look.
+% The angle or the time whose value tells every look from the others, or else the number of the look.
 function [angle, label] = swept_angle(result)
   fields = {'phi_deg', 'theta_deg', 'rx_phi_deg', 'rx_theta_deg'};
   labels = {'\phi, degrees', '\theta, degrees', '\phi of the receiver, degrees', '\theta of the receiver, degrees'};
+  if isfield(result, 'time_s')
+    fields{end + 1} = 'time_s';
+    labels{end + 1} = 'time, s';
+  end
   looks = numel(result.phi_deg);
   counts = cellfun(@(field) numel(unique(result.(field))), fields);
   which = find(counts == looks, 1);

@@ -21,7 +21,7 @@ from raytube._arguments import CHANNELS
 from raytube._core import InputError
 from raytube._result import Result
 from raytube._rows import LABELS, Rows, cuts_of, grid_of, rows_of_result
-from raytube._tables import (Floats, amplitudes_of, centres_of, comments, dbsm, keys_of, largest_of_blocks, mechanism_text, mechanisms_of,
+from raytube._tables import (KEYS, Floats, amplitudes_of, centres_of, comments, dbsm, keys_of, largest_of_blocks, mechanism_text, mechanisms_of,
                              read_csv)
 
 _SCRIPTS = ("data", "scales", "plot", "curves", "heat", "centres", "space", "words", "page")  # in the order in which they run
@@ -34,7 +34,7 @@ _MOST_CENTRES = 1000  # more only hide one another
 _LONGEST_LIST = 8
 _READ_ONE_BY_ONE = ("warnings", "model_uncertainty", "skipped", "mechanisms")  # lists of run.json
 _WINDOW, _SIDELOBE_DB = "taylor", 35.0
-_QUANTITIES = ("ghz", "theta", "phi", "rx_theta", "rx_phi")  # by key
+_QUANTITIES = ("ghz", "theta", "phi", "rx_theta", "rx_phi", "time")  # by key
 _ALL = list(range(4))  # channels
 _MOST_LOOKS_IN_SPACE, _MOST_CELLS, _MOST_TUBES, _MOST_EDGES = 3, 200, 600, 5000  # ten megabytes hold no more
 _LONG_LOOK = 30.0  # seconds to solve a look without --looks
@@ -182,8 +182,9 @@ def _sweep(source: Source, rows: Rows) -> dict[str, Any]:
               (("sigma", stored.sigma_dbsm), ("error", stored.error_db), ("model", stored.model_db))}
     with np.errstate(divide="ignore"):
         incoherent = None if source.incoherent_m2 is None else [packed_levels(10.0 * np.log10(values)) for values in source.incoherent_m2[kept].T]
-    return {"ghz": (stored.frequency_hz / 1e9).tolist(), "looks": {name: getattr(stored, f"{name}_deg").tolist() for name in _QUANTITIES[1:]},
-            "bistatic": stored.bistatic, "total": len(rows.keys), "rows": packed(kept, "<u4"), **levels, "incoherent": incoherent,
+    of_looks = KEYS[1:] if stored.moving else KEYS[1:-1]
+    return {"ghz": (stored.frequency_hz / 1e9).tolist(),
+            "looks": {name: getattr(stored, key).tolist() for name, key in zip(_QUANTITIES[1:], of_looks)}, "bistatic": stored.bistatic, "total": len(rows.keys), "rows": packed(kept, "<u4"), **levels, "incoherent": incoherent,
             "mechanisms": [{"label": mechanism_text(name), "sigma": four_levels(dbsm(s[kept]))} for name, s in source.mechanisms.items()]}
 
 

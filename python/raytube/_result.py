@@ -526,6 +526,8 @@ class Result:
             return "none: no return"
         look, frequency, channel = np.unravel_index(np.nanargmax(sigma), sigma.shape)
         place = f"theta {self._stored.theta_deg[look]:g} deg, phi {self._stored.phi_deg[look]:g} deg"
+        if self._stored.moving:
+            place += f", t {self._stored.time_s[look]:g} s"
         return f"{sigma[look, frequency, channel]:.2f} dBsm in {CHANNELS[channel]} at {self._stored.frequency_hz[frequency] / 1e9:g} GHz, {place}"
 
     def _json(self, name: str) -> Any:

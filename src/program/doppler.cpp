@@ -11,6 +11,7 @@
 #include "output/products/doppler_netcdf.h"
 #include "output/products/sweep_samples.h"
 #include "output/tables/csv.h"
+#include "output/tables/stored.h"
 #include "program/helping.h"
 #include "program/products.h"
 
@@ -75,8 +76,10 @@ void make_doppler(const DopplerRequest& asked) {
   DopplerMap map;
   Spectrogram made;
   product.check = [&] {
-    const SweepSamples samples = samples_of(source.result, source.name);
-    asked.raw ? (void)pulse_grid(samples.times, source.name) : require_pulses(samples, options, source.name);
+    if (asked.raw)
+      pulse_grid(sweep_of(source.result).times, source.name);
+    else
+      require_pulses(samples_of(source.result, source.name), options, source.name);
   };
   product.make = [&] {
     if (asked.raw) return std::string();
@@ -132,7 +135,10 @@ CLI::App& add_doppler(CommandLine& line) {
             number_between(-speed_of_light, speed_of_light));
   add_value(doppler, "--padding N", options.padding, "Ranges and velocities per resolution cell; default 2", whole_number(1, 64));
   add_value(doppler, "--look N", options.look, "Of the looks of a pulse this alone, from 0; default all",
-            whole_number(0, 1'000'000));
+            whole_number(0, 1'000'000))
+      ->excludes(angle);
+  add_value(doppler, "--mechanism NAME", asked->mechanism,
+            "S of this mechanism alone, by the names of parts.csv; a case is run with --parts");
   add_window_options(doppler, asked->window);
   add_product_options(line, doppler, asked->run);
   const auto make = [asked, &doppler] {

@@ -37,6 +37,37 @@ TEST_F(Products, OfAResultAndOfItsCaseAreTheSame) {
   EXPECT_THAT(text_of(scratch / "a/isar.vti"), HasSubstr("<ImageData WholeExtent="));
 }
 
+// Rows of pulses with the columns of rcs.csv: two points would do, zeros are a result as well.
+std::string rows_of_pulses(const std::vector<double>& times) {
+  std::string text = "freq_hz,theta_deg,phi_deg,rx_theta_deg,rx_phi_deg,re_vv,im_vv,re_vh,im_vh,re_hv,im_hv,re_hh,im_hh";
+  for (const std::string column : {"sigma_{}_dbsm", "err_{}_db", "model_{}_db"})
+    for (const char* channel : {"vv", "vh", "hv", "hh"}) text += ',' + std::string(column).replace(column.find("{}"), 2, channel);
+  text += ",time_s\n";
+  for (const double time : times)
+    text += "1e9,90,0,90,0,1,0,0,0,0,0,1,0,11,-inf,-inf,11,0,0,0,0,0,0,0,0," + std::to_string(time) + '\n';
+  return text;
+}
+
+TEST_F(Products, DopplerOfPulses) {
+  scratch.write("pulses.csv", rows_of_pulses({0.0, 0.001, 0.002, 0.003}));
+  scratch.write("uneven.csv", rows_of_pulses({0.0, 0.001, 0.002, 0.004}));
+  EXPECT_EQ(raytube("doppler pulses.csv -o moving").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), AllOf(HasSubstr("unambiguous 149.9 m/s (1000 Hz)"),
+                                                     HasSubstr("peak               10.99 dBsm"), HasSubstr("doppler.csv")));
+  EXPECT_EQ(raytube("doppler pulses.csv -o moving --spectrogram --window-length 2 --overlap 0").code, 0);
+  EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("2 of 2 pulses, every 0.002 s"));
+  EXPECT_EQ(raytube("doppler pulses.csv -o moving --raw").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(scratch / "moving/raw.nc"));
+  EXPECT_TRUE(std::filesystem::exists(scratch / "moving/spectrogram.csv"));
+  expect_refused("doppler kept/rcs.csv", "nothing moves, its looks have no times");
+  expect_refused("doppler uneven.csv",
+                 "times of pulses are not in even steps: from 0.002 to 0.004 s it is 0.002, elsewhere 0.001");
+  expect_refused("doppler pulses.csv --look 1", "a pulse has no look 1");
+  expect_refused("doppler pulses.csv --angle", "an angle takes antennas at places");
+  expect_refused("doppler pulses.csv --mechanism bounce_1", "holds no mechanism bounce_1");
+  expect_refused("doppler pulses.csv --spectrogram --window-length 5", "from 2 to 4");
+}
+
 TEST_F(Products, OneNetcdfFileStandsAlone) {
   EXPECT_EQ(raytube("profile case.toml -o one/p.nc " + sweep).code, 0);
   EXPECT_THAT(text_of(scratch / "stdout.txt"), HasSubstr("/one/p.nc\n"));

@@ -1,7 +1,7 @@
 // The page: a section for each view that the result has data for.
 const redrawers = [redrawAll];
-const quantityLabels = { phi: "azimuth φ (degrees)", theta: "polar angle θ (degrees)", rx_phi: "receiver azimuth φ (degrees)", rx_theta: "receiver polar angle θ (degrees)", ghz: "frequency (GHz)" };
-const shortLabels = { phi: "φ", theta: "θ", rx_phi: "receiver φ", rx_theta: "receiver θ", ghz: "f" };
+const quantityLabels = { phi: "azimuth φ (degrees)", theta: "polar angle θ (degrees)", rx_phi: "receiver azimuth φ (degrees)", rx_theta: "receiver polar angle θ (degrees)", time: "time (s)", ghz: "frequency (GHz)" };
+const shortLabels = { phi: "φ", theta: "θ", rx_phi: "receiver φ", rx_theta: "receiver θ", time: "t", ghz: "f" };
 const partColours = ["--c0", "--c3", "--c1", "--c4", "--c5", "--c6", "--c2", "--c7", "--c8"];
 
 // Rows by what tells them apart.
@@ -11,6 +11,7 @@ class Rows {
     const look = (name) => Float64Array.from(index, (row) => sweep.looks[name][Math.floor(row / count)]);
     this.values = { phi: look("phi"), theta: look("theta"), ghz: Float64Array.from(index, (row) => sweep.ghz[row % count]) };
     if (sweep.bistatic) Object.assign(this.values, { rx_phi: look("rx_phi"), rx_theta: look("rx_theta") });
+    if (sweep.looks.time) this.values.time = look("time");
     this.count = index.length;
     this.total = sweep.total;
     this.names = Object.keys(this.values);
@@ -35,7 +36,7 @@ class Rows {
   }
 
   fixedWords(names, row) {
-    return names.map((name) => shortLabels[name] + " = " + numberText(this.values[name][row], 7) + (name === "ghz" ? " GHz" : "°")).join(", ");
+    return names.map((name) => shortLabels[name] + " = " + numberText(this.values[name][row], 7) + ({ ghz: " GHz", time: " s" }[name] || "°")).join(", ");
   }
 
   peakRow() {
