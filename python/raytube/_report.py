@@ -184,7 +184,8 @@ def _sweep(source: Source, rows: Rows) -> dict[str, Any]:
         incoherent = None if source.incoherent_m2 is None else [packed_levels(10.0 * np.log10(values)) for values in source.incoherent_m2[kept].T]
     of_looks = KEYS[1:] if stored.moving else KEYS[1:-1]
     return {"ghz": (stored.frequency_hz / 1e9).tolist(),
-            "looks": {name: getattr(stored, key).tolist() for name, key in zip(_QUANTITIES[1:], of_looks)}, "bistatic": stored.bistatic, "total": len(rows.keys), "rows": packed(kept, "<u4"), **levels, "incoherent": incoherent,
+            "looks": {name: getattr(stored, key).tolist() for name, key in zip(_QUANTITIES[1:], of_looks)}, "bistatic": stored.bistatic,
+            "total": len(rows.keys), "rows": packed(kept, "<u4"), **levels, "incoherent": incoherent,
             "mechanisms": [{"label": mechanism_text(name), "sigma": four_levels(dbsm(s[kept]))} for name, s in source.mechanisms.items()]}
 
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/error.h"
-#include "output/netcdf/netcdf_file.h"
+#include "output/netcdf/open_netcdf.h"
 #include "output/products/doppler_csv.h"
 #include "output/products/doppler_netcdf.h"
 #include "scratch.h"
@@ -287,6 +287,32 @@ TEST(Doppler, WindowsOfMorePulsesThanThereAreAreRefused) {
   options.length = 9;
   EXPECT_THAT(refusal([&] { spectrogram(samples_of_points(single, pulse_times(8), {}), options, "test"); }),
               HasSubstr("from 2 to 8"));
+}
+
+// Pulses of two antennas at a finite distance: places, and S with the frequency before the receiver.
+TEST(Doppler, TheCubeHoldsPulsesAntennasAndTheirPlaces) {
+  const Scratch scratch;
+  StoredResult result;
+  result.frequency_hz = {1e9, 2e9, 3e9};
+  result.moving = true;
+  for (const double time : {0.25, 0.5})
+    for (const double range : {2.0, 4.0}) result.looks.push_back({90.0, 0.0, 90.0, 90.0, 10.0, range, time});
+  for (std::size_t row = 0; row < result.rows(); ++row) {
+    result.s.emplace_back();
+    result.s.back().at(0, 1) = {static_cast<double>(row), -1.0};
+  }
+  write_raw_netcdf(scratch / "raw.nc", result, "test");
+  const OpenNetcdf file(scratch / "raw.nc");
+  EXPECT_EQ(file.numbers("time_s", {"pulse"}), (std::vector<double>{0.25, 0.5}));
+  const std::vector<double> receivers = file.numbers("receiver_m", {"pulse", "receiver", "xyz"}),
+                            real = file.numbers("S_re", {"pulse", "frequency", "receiver", "receive", "transmit"});
+  EXPECT_NEAR(receivers[1], 2.0, 1e-15);
+  EXPECT_NEAR(receivers[4], 4.0, 1e-15);
+  EXPECT_NEAR(file.numbers("transmitter_m", {"pulse", "receiver", "xyz"})[9], 10.0, 1e-15);
+  for (std::size_t pulse = 0; pulse < 2; ++pulse)
+    for (std::size_t f = 0; f < 3; ++f)
+      for (std::size_t receiver = 0; receiver < 2; ++receiver)
+        EXPECT_EQ(real[4 * ((pulse * 3 + f) * 2 + receiver) + 1], static_cast<double>((pulse * 2 + receiver) * 3 + f));
 }
 
 TEST(Doppler, TablesHaveARowForEachCell) {
