@@ -139,8 +139,10 @@ BodyMotion read_body(const CaseValue& section, const std::string& name, Case& c)
   if (const CaseValue* velocity = section.find("velocity_m_per_s")) {
     body.velocity = read_vector(*velocity, path_of(body, "velocity_m_per_s"));
     if (glm::length(body.velocity) > fastest)
-      reject(*velocity, fmt::format("{} is {:.3g} m/s: above {:.3g} m/s motion changes more of a wave than its phase; write metres per second",
-                                    path_of(body, "velocity_m_per_s"), glm::length(body.velocity), fastest));
+      reject(
+          *velocity,
+          fmt::format("{} is {:.3g} m/s: above {:.3g} m/s motion changes more of a wave than its phase; write metres per second",
+                      path_of(body, "velocity_m_per_s"), glm::length(body.velocity), fastest));
   }
   read_turning(section, body);
   const CaseValue *table = section.find("poses_csv"), *list = section.find("poses");
@@ -273,6 +275,8 @@ void read_motion(const CaseValue& root, Case& c) {
   read_times(*section, choice, c);
   if (const CaseValue* reference = section->find("reference_s"))
     choice.motion.reference = read_number(*reference, "motion.reference_s");
+  if (const CaseValue* retrace = section->find("retrace"))
+    choice.retrace = read_word(*retrace, "motion.retrace", retrace_words) == 0;
   if (const CaseValue* bodies = section->find("bodies")) {
     for (std::size_t i = 0; i < bodies->keys.size(); ++i)
       choice.motion.bodies.push_back(read_body(bodies->items[i], bodies->keys[i], c));

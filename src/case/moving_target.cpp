@@ -104,6 +104,16 @@ MovingTarget::MovingTarget(PolygonSoup soup, const Case& c) : case_(c), motion_(
     body_of_point_ = part_points(soup_, body_of_polygon_);
 }
 
+std::vector<MovingTarget::RigidPart> MovingTarget::rigid_parts() const {
+  std::map<std::size_t, Box> boxes;
+  for (std::size_t i = 0; i < soup_.polygons.size(); ++i)
+    for (const std::uint32_t corner : soup_.polygons[i])
+      boxes[carried_by(motion_, body_of_polygon_[i])].add(soup_.points[corner] * case_.metres_per_unit);
+  std::vector<RigidPart> parts;
+  for (const auto& [mover, box] : boxes) parts.push_back({mover, box});
+  return parts;
+}
+
 LoadedMesh MovingTarget::at_rest() const { return build_target(soup_, case_, mesh_names(case_)); }
 
 std::vector<dvec3> MovingTarget::points_at(double time) const {
@@ -188,35 +198,19 @@ std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times
   return sentences;
 }
 
-namespace {
-
-// From the transmitter over a place to the receiver, but for a constant [m].
-double path_over(const Look& look, const dvec3& place) {
-  if (look.far())
-    return -glm::dot(spherical_basis(look.transmit).radial, place) - glm::dot(spherical_basis(look.receive).radial, place);
-  return glm::distance(look.transmitter().point(), place) + glm::distance(look.receiver().point(), place);
-}
-
-}  // namespace
-
 // Over the corners of a box round each body the path changes most, as over any convex set where the way is straight.
 std::string MovingTarget::ambiguity(const Sweep& sweep) const {
   const double shortest = wavelength(std::ranges::max(sweep.frequencies));
-  std::map<std::size_t, Box> boxes;
-  for (std::size_t i = 0; i < soup_.polygons.size(); ++i)
-    for (const std::uint32_t corner : soup_.polygons[i])
-      boxes[body_of_polygon_[i]].add(soup_.points[corner] * case_.metres_per_unit);
+  const std::vector<RigidPart> parts = rigid_parts();
   const std::size_t looks = case_.motion->times() > 0 ? sweep.looks.size() / case_.motion->times() : 0;
   double largest = 0.0, interval = 0.0;
   std::size_t fastest = no_body;
   for (std::size_t now = looks, before = 0; now < sweep.looks.size(); ++now, ++before)
-    for (const auto& [body, box] : boxes) {
-      const Pose first = pose_of(motion_, body, sweep.times[before]), then = pose_of(motion_, body, sweep.times[now]);
-      for (int corner = 0; corner < 8; ++corner) {
-        const dvec3 at(corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
-                       corner & 4 ? box.low.z : box.high.z);
+    for (const RigidPart& part : parts) {
+      const Pose first = pose_of_part(part, sweep.times[before]), then = pose_of_part(part, sweep.times[now]);
+      for (const dvec3& at : corners_of(part.box)) {
         const double change = std::abs(path_over(sweep.looks[now], then(at)) - path_over(sweep.looks[before], first(at)));
-        if (change > largest) largest = change, interval = sweep.times[now] - sweep.times[before], fastest = body;
+        if (change > largest) largest = change, interval = sweep.times[now] - sweep.times[before], fastest = part.mover;
       }
     }
   if (largest <= 0.5 * shortest) return {};

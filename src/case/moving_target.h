@@ -26,6 +26,15 @@ class MovingTarget {
   /// With every body where it is at a time [s]. Throws InputError, with that time, for what cannot be there.
   LoadedMesh at(double time) const;
 
+  /// What moves as one, with a box round it where the mesh has it at rest [m].
+  struct RigidPart {
+    std::size_t mover;  // among the bodies; no_body: it stands
+    Box box;
+  };
+  std::vector<RigidPart> rigid_parts() const;
+  /// Where the points of one are at a time, to where they are at rest.
+  Pose pose_of_part(const RigidPart& part, double time) const { return pose_of(motion_, part.mover, time); }
+
   /// A sentence for each two bodies that are apart in the file and run into one another at one of these times; one that tells how
   /// short the interval would have to be, if between two neighbours among them the path over some place changes by more than half
   /// a wavelength, so that its Doppler frequency is ambiguous. Empty: neither.

@@ -119,6 +119,7 @@ Json motion_json(const MotionChoice& choice) {
     json["pulses"] = {{"start_s", choice.start_s}, {"interval_s", choice.interval_s}, {"count", choice.pulses}};
   else
     json["times_s"] = one_or_list(choice.times_s);
+  json["retrace"] = retrace_words[choice.retrace ? 0 : 1];
   json["reference_s"] = choice.motion.reference;
   if (choice.radar && choice.radar->poses_csv.empty()) json["radar"]["velocity_m_per_s"] = vector_json(choice.radar->velocity);
   if (choice.radar && !choice.radar->poses_csv.empty()) json["radar"]["track_csv"] = choice.radar->poses_csv;

@@ -34,7 +34,9 @@ PlannedCase::PlannedCase(const Case& asked, const Target& target, const MeshRepo
     : c(asked),
       report(mesh_report),
       moving(std::move(moving_target)),
-      part(moving ? std::make_unique<const Case>(case_of_plan(c, *moving)) : nullptr),
+      intervals(moving && !c.motion->retrace ? traced_intervals(c, *moving) : std::vector<TracedInterval>()),
+      traced(intervals.empty() ? nullptr : std::make_unique<const Case>(traced_case(c, intervals))),
+      part(moving ? std::make_unique<const Case>(case_of_plan(computed(), *moving)) : nullptr),
       plan(plan_of_case(target, part ? *part : c, threads, keep_parts)) {
   check_memory(plan, c);
   if (!moving) {
@@ -48,10 +50,11 @@ PlannedCase::PlannedCase(const Case& asked, const Target& target, const MeshRepo
 SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std::function<bool(double)>& progress,
                        const KeptLooks& kept, WorkTeam* team) {
   const SolvePlan& plan = planned.plan;
-  SweepResult result = planned.pulse_by_pulse()
-                           ? solve_pulses(planned.c, *planned.moving, plan.threads, plan.tell_parts, progress, kept, team)
-                           : solve(plan, progress, kept, team);
-  if (planned.moving && !planned.pulse_by_pulse()) refer_to_antennas(planned.c, *planned.moving, result);
+  SweepResult result = planned.pulse_by_pulse() ? solve_pulses(planned.computed(), *planned.moving, plan.threads, plan.tell_parts,
+                                                               progress, kept, team)
+                                                : solve(plan, progress, kept, team);
+  if (planned.moving && !planned.pulse_by_pulse()) refer_to_antennas(planned.computed(), *planned.moving, result);
+  if (planned.traced) result = with_all_times(planned.c, *planned.moving, planned.intervals, result);
   manifest.warnings = warnings_of_result(planned, result.statistics);
   manifest.statistics = result.statistics;
   manifest.model_parts = result.model_parts;
@@ -62,15 +65,16 @@ SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std
 void solve_shard_of_case(const PlannedCase& planned, const Shard& shard, const std::function<bool(double)>& progress,
                          const KeptLooks& kept, WorkTeam* team) {
   if (planned.pulse_by_pulse())
-    solve_shard_of_pulses(planned.c, *planned.moving, shard, planned.plan.threads, progress, kept, team);
+    solve_shard_of_pulses(planned.computed(), *planned.moving, shard, planned.plan.threads, progress, kept, team);
   else
     solve_shard(planned.plan, shard, progress, kept, team);
 }
 
 void help_to_solve_case(const Case& c, const Target& target, int threads, bool keep_parts, WorkTeam& team,
                         const std::function<bool(double)>& progress, const std::shared_ptr<const MovingTarget>& moving) {
-  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(c, *moving, threads, team, progress);
-  const Case part = moving ? case_of_plan(c, *moving) : c;
+  const Case traced = moving && !c.motion->retrace ? traced_case(c, traced_intervals(c, *moving)) : c;
+  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(traced, *moving, threads, team, progress);
+  const Case part = moving ? case_of_plan(traced, *moving) : c;
   help_to_solve(plan_of_case(target, part, threads, keep_parts), team, progress);
 }
 

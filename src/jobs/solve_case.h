@@ -9,6 +9,7 @@
 
 #include "case/data/case.h"
 #include "jobs/moving.h"
+#include "jobs/retrace.h"
 #include "mesh/model/triangle_mesh.h"
 #include "output/files/manifest.h"
 #include "plan/plan.h"
@@ -22,6 +23,8 @@ struct PlannedCase {
   const Case& c;
   const MeshReport& report;
   std::shared_ptr<const MovingTarget> moving;  // null: everything stands
+  std::vector<TracedInterval> intervals;       // of one with motion.retrace = "auto"; else none
+  std::unique_ptr<const Case> traced;          // of that: the case at the times that are traced; else null
   std::unique_ptr<const Case> part;            // of one that moves: what `plan` is of (jobs/moving.h); else null
   SolvePlan plan;
   std::vector<std::string> warnings;  // of the case and its plan
@@ -31,10 +34,12 @@ struct PlannedCase {
   PlannedCase(const Case& asked, const Target& target, const MeshReport& mesh_report, std::span<const dvec3> outermost,
               int threads, bool keep_parts, std::shared_ptr<const MovingTarget> moving_target = {});
 
+  /// What is computed, all of it or at some of its times.
+  const Case& computed() const { return traced ? *traced : c; }
   /// Each time is solved by itself.
   bool pulse_by_pulse() const { return moving && !is_one_plan(c, *moving); }
   /// What is computed, kept and shared one by one: looks, or times.
-  std::size_t items() const { return pulse_by_pulse() ? c.motion->times() : plan.looks.computed.size(); }
+  std::size_t items() const { return pulse_by_pulse() ? computed().motion->times() : plan.looks.computed.size(); }
 };
 
 /// Solves it, with a team beside others, and completes the manifest, except for times. Throws Interrupted once `progress` is

@@ -31,6 +31,12 @@ struct Look {
   AntennaPosition receiver() const { return {receive, receive_range, receive_mirror}; }        // where it stands
 };
 
+/// The way from the transmitter of a look over a place to its receiver [m]; from infinity, beyond that over the origin.
+inline double path_over(const Look& look, const dvec3& place) {
+  if (!look.far()) return glm::distance(look.transmitter().point(), place) + glm::distance(look.receiver().point(), place);
+  return -glm::dot(spherical_basis(look.transmit).radial + spherical_basis(look.receive).radial, place);
+}
+
 /// A point that stands while a turntable turns, in the coordinates that turn with it.
 inline dvec3 seen_from_turntable(const dvec3& point, double turn) {
   const double c = std::cos(turn), s = std::sin(turn);

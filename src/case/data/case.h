@@ -78,11 +78,15 @@ struct MaterialAssignment {
   std::vector<Facets> facets;  // ascending, and no facet in two of them
 };
 
+/// Words of motion.retrace.
+inline constexpr std::array<std::string_view, 2> retrace_words{"every", "auto"};
+
 /// The motion section as the user gave it: pulses, or a list of times.
 struct MotionChoice {
   double start_s = 0.0, interval_s = 0.0;  // of pulses
   std::size_t pulses = 0;                  // how many; 0: times are listed
   std::vector<double> times_s;             // listed
+  bool retrace = true;                     // every time is traced; else so many as their motion asks for
   std::optional<BodyMotion> radar;         // of the antennas, if they move: its velocity and its places
   std::string location;                    // of the section: file and line, or option
   Motion motion;                           // bodies; their names in the mesh are not checked yet
@@ -111,7 +115,7 @@ struct Case {
   Sweep sweep;
   LookChoice looks;
   RadarChoice radar;
-  std::optional<Ground> ground;  // below the target; none: free space
+  std::optional<Ground> ground;        // below the target; none: free space
   std::optional<MotionChoice> motion;  // sweep.times are there, and the looks of all of these; none: everything stands
   TubeOptions tubes;
   EdgeOptions edges;

@@ -19,7 +19,7 @@ inline constexpr std::string_view shaped_keys =
     "receive.azimuth_deg receive.elevation_deg radar.range_m radar.receive_range_m radar.position_m "
     "radar.receive_position_m radar.aim_m radar.receive_aim_m radar.turntable_deg radar.transmit_power_dbm "
     "radar.gain_dbi radar.beamwidth_deg radar.pattern_csv ground.height_m ground.material "
-    "motion.pulses motion.times_s motion.reference_s motion.bodies "
+    "motion.pulses motion.times_s motion.reference_s motion.retrace motion.bodies "
     "motion.radar.velocity_m_per_s motion.radar.track_csv";
 
 /// visit(key, member) for every other key; a Case or a const one.

@@ -37,6 +37,14 @@ struct Box {
   double diagonal() const { return glm::length(high - low); }
 };
 
+/// The eight corners.
+inline std::array<dvec3, 8> corners_of(const Box& box) {
+  std::array<dvec3, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i)
+    corners[i] = {i & 1 ? box.low.x : box.high.x, i & 2 ? box.low.y : box.high.y, i & 4 ? box.low.z : box.high.z};
+  return corners;
+}
+
 /// The box round all of them.
 inline Box bounding_box(std::span<const dvec3> points) {
   Box box;
