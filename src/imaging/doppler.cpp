@@ -25,11 +25,6 @@ std::vector<double> unit_weights(const Window& window, std::size_t count) {
   return result;
 }
 
-AxisLimits axis_limits(double unambiguous, std::size_t count, const Window& window) {
-  const double cell = unambiguous / static_cast<double>(count);
-  return {cell, cell * peak_width(weights(window, count)), unambiguous};
-}
-
 AxisLimits velocity_limits(double frequency, const EvenAxis& time, std::size_t count, const Window& window) {
   return axis_limits(0.5 * wavelength(frequency) / std::abs(time.step), count, window);
 }
@@ -181,7 +176,7 @@ double power_of_point(const SweepSamples& samples, const std::vector<double>& of
 // Ranges of a gate, as many to either side of the middle; of one frequency there is one.
 EvenAxis gated(const SweepSamples& samples, const SpectrogramOptions& options) {
   if (samples.frequency.count < 2) return {};
-  const RangeLimits limits = range_limits(samples.frequency, options.window);
+  const AxisLimits limits = range_limits(samples.frequency, options.window);
   const double step = limits.cell / options.padding,
                width = std::min(options.gate.value_or(limits.unambiguous), limits.unambiguous);
   const auto all = static_cast<std::size_t>(options.padding) * samples.frequency.count;

@@ -28,13 +28,6 @@ struct PulseGrid {
 /// looks, and for a single pulse.
 PulseGrid pulse_grid(const std::vector<double>& times, const std::string& what);
 
-/// What samples in even steps resolve along an axis, in its unit.
-struct AxisLimits {
-  double cell;         // of even weights, from the peak to the first null
-  double resolution;   // width of a point's peak 3 dB below its top
-  double unambiguous;  // what is farther apart than this looks alike
-};
-
 struct DopplerOptions {
   std::optional<std::size_t> look{};  // of a pulse, from 0; none: every one
   Window window{};                    // over frequencies, and over pulses
@@ -57,7 +50,7 @@ struct DopplerMap {
   double frequency;                           // in the middle of the band: that of Doppler frequencies [Hz]
   EvenAxis time;                              // of pulses [s]; ranges are those at its middle
   std::vector<std::size_t> looks;             // of a pulse: those that are shown; of an array the first one
-  std::optional<RangeLimits> range_limits{};  // none of one frequency
+  std::optional<AxisLimits> range_limits{};   // none of one frequency
   AxisLimits velocity_limits{};               // lambda / (2 N T) for N pulses every T, and lambda / 2T [m/s]
   std::optional<AxisLimits> cosine_limits{};  // of an array; lambda / (N d) for N places every d, and lambda / d
   dvec3 array{0.0};                           // unit, along it

@@ -73,10 +73,13 @@ RangePeak peak_of(const SweepSamples& samples, const std::vector<double>& weight
 
 }  // namespace
 
-RangeLimits range_limits(const EvenAxis& frequency, const Window& window) {
-  const double unambiguous = 0.5 * speed_of_light / std::abs(frequency.step);
-  const double cell = unambiguous / static_cast<double>(frequency.count);
-  return {cell, cell * peak_width(weights(window, frequency.count)), unambiguous};
+AxisLimits axis_limits(double unambiguous, std::size_t count, const Window& window) {
+  const double cell = unambiguous / static_cast<double>(count);
+  return {cell, cell * peak_width(weights(window, count)), unambiguous};
+}
+
+AxisLimits range_limits(const EvenAxis& frequency, const Window& window) {
+  return axis_limits(0.5 * speed_of_light / std::abs(frequency.step), frequency.count, window);
 }
 
 double frequency_step_for(double depth) { return 0.5 * speed_of_light / depth; }

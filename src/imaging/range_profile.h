@@ -18,14 +18,18 @@ struct ProfileOptions {
   double middle = 0.0;  // of the ranges that are shown, as wide as what is unambiguous [m]
 };
 
-/// What a sweep of frequencies resolves.
-struct RangeLimits {
-  double cell;         // c / 2B, B the steps' sum and one more: of even weights, from the peak to the first null [m]
-  double resolution;   // width of a point's peak 3 dB below its top [m]
-  double unambiguous;  // what is farther apart than this lies upon one another: c / 2 df [m]
+/// What samples in even steps resolve along an axis, in its unit.
+struct AxisLimits {
+  double cell;         // of even weights, from the peak to the first null
+  double resolution;   // width of a point's peak 3 dB below its top
+  double unambiguous;  // what is farther apart than this lies upon one another
 };
 
-RangeLimits range_limits(const EvenAxis& frequency, const Window& window);
+/// Of so many samples, from what is unambiguous.
+AxisLimits axis_limits(double unambiguous, std::size_t count, const Window& window);
+
+/// Of a sweep of frequencies: c / 2B, B the steps' sum and one more, and c / 2 df [m].
+AxisLimits range_limits(const EvenAxis& frequency, const Window& window);
 
 /// The highest place of a profile, between its samples.
 struct RangePeak {
@@ -36,7 +40,7 @@ struct RangePeak {
 
 /// Of many looks. Rows of `s`: looks vary slowest.
 struct RangeProfiles {
-  RangeLimits limits;
+  AxisLimits limits;
   EvenAxis range{};                             // [m], half of the unambiguous range to either side of the middle
   std::vector<ScatteringMatrix> s{};            // p [m]
   std::vector<ChannelErrors> error{}, model{};  // [look] of |p| [m] if all that may be wrong with S came from one range

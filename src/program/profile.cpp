@@ -53,7 +53,7 @@ std::string peak_text(const ProductSource& source, const RangePeak& peak) {
 }
 
 std::string limits_text(const RangeProfiles& profiles, const Window& window) {
-  const RangeLimits& limits = profiles.limits;
+  const AxisLimits& limits = profiles.limits;
   return fmt::format("range              resolution {:.4g} m ({} window), unambiguous {:.4g} m\n", limits.resolution,
                      name_of(window), limits.unambiguous);
 }

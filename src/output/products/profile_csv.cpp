@@ -12,7 +12,7 @@ namespace raytube {
 namespace {
 
 std::string head(const RangeProfiles& profiles, const Window& window, bool moving) {
-  const RangeLimits& limits = profiles.limits;
+  const AxisLimits& limits = profiles.limits;
   std::string text = fmt::format(
       "# Range profiles: p(R) = sum of w S exp(j 2 k R) / sum of w over the frequencies, weights w: {}. range_m: beyond the "
       "origin\n"
