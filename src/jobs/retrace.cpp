@@ -13,13 +13,12 @@ namespace raytube {
 
 namespace {
 
-// Coefficients beyond this are left out; singular values below `least_singular` of the largest belong to functions that are the
-// same but for rounding.
-constexpr double least_coefficient = 1e-5, least_singular = 1e-9;
-// So many times as there are coefficients are traced, and one in so many of them to check. Fewer than a third saved: all are.
-constexpr double times_a_coefficient = 1.3, checked_share = 0.1, worth = 2.0 / 3.0;
+// Coefficients beyond this are left out, and what functions have in common to this is one function.
+constexpr double least_coefficient = 1e-5;
+// So many times as there are functions are traced, and one in so many of them to check. Fewer than a third saved: all are.
+constexpr double times_a_function = 1.3, checked_share = 0.1, worth = 2.0 / 3.0;
 // Of an interval, so that least squares take no time to speak of.
-constexpr std::size_t most_coefficients = 160, most_pulses = 1024;
+constexpr std::size_t most_coefficients = 160, most_pulses = 512;
 
 // The largest n for which J_n(z) may exceed least_coefficient: |J_n(z)| <= (z / 2)^n / n! (Abramowitz and Stegun 9.1.62), and for
 // large z it falls beyond n = z within some z^{1/3} (9.3.23).
@@ -44,9 +43,10 @@ class Times {
   const Look& look(std::size_t pulse, std::size_t look) const { return c_.sweep.looks[pulse * looks() + look]; }
   double time(std::size_t pulse) const { return c_.sweep.times[pulse * looks()]; }
 
-  // Over the middle of a part [m].
-  double path(std::size_t part, std::size_t pulse, std::size_t of) const {
-    return path_over_point(part, pulse, of, parts_[part].box.middle());
+  // Over the middle of a part, or over those of two of them, one after the other [m].
+  double path(std::size_t a, std::size_t b, std::size_t pulse, std::size_t of) const {
+    if (a == b) return path_over_point(a, pulse, of, parts_[a].box.middle());
+    return 0.5 * (path(a, a, pulse, of) + path(b, b, pulse, of)) + glm::distance(middle(a, pulse), middle(b, pulse));
   }
 
   std::vector<Group> groups(std::size_t begin, std::size_t end) const {
@@ -59,6 +59,10 @@ class Times {
   }
 
  private:
+  dvec3 middle(std::size_t part, std::size_t pulse) const {
+    return target_.pose_of_part(parts_[part], time(pulse))(parts_[part].box.middle());
+  }
+
   double path_over_point(std::size_t part, std::size_t pulse, std::size_t of, const dvec3& at_rest) const {
     return path_over(look(pulse, of), target_.pose_of_part(parts_[part], time(pulse))(at_rest));
   }
@@ -69,7 +73,9 @@ class Times {
     double largest = 0.0;
     for (std::size_t of = 0; of < looks(); ++of)
       for (const dvec3& corner : corners_of(parts_[part].box)) {
-        const auto residual = [&](std::size_t pulse) { return path_over_point(part, pulse, of, corner) - path(part, pulse, of); };
+        const auto residual = [&](std::size_t pulse) {
+          return path_over_point(part, pulse, of, corner) - path(part, part, pulse, of);
+        };
         for (std::size_t pulse = begin; pulse + 1 < end; ++pulse)
           largest = std::max(largest, std::abs(residual(pulse + 1) - residual(pulse)) / (time(pulse + 1) - time(pulse)));
       }
@@ -87,75 +93,91 @@ std::size_t coefficients_of(const std::vector<Group>& groups) {
   return count;
 }
 
-// The pulses nearest to Chebyshev's points, and as many as there are of them.
-std::set<std::size_t> near_chebyshev(const Times& times, std::size_t begin, std::size_t end, std::size_t count) {
-  std::set<std::size_t> chosen{begin, end - 1};
-  const double middle = 0.5 * (times.time(begin) + times.time(end - 1)), half = times.time(end - 1) - middle;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double wanted = middle - half * std::cos(pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
-    std::size_t nearest = begin;
-    for (std::size_t pulse = begin; pulse < end; ++pulse)
-      if (std::abs(times.time(pulse) - wanted) < std::abs(times.time(nearest) - wanted)) nearest = pulse;
-    chosen.insert(nearest);
-  }
-  for (std::size_t pulse = begin; pulse < end && chosen.size() < std::min(count, end - begin); ++pulse) chosen.insert(pulse);
-  return chosen;
-}
-
-TracedInterval traced(const Times& times, std::size_t begin, std::size_t end, std::size_t coefficients) {
-  TracedInterval interval{begin, end, {}, {}};
-  const auto count = static_cast<std::size_t>(std::ceil(times_a_coefficient * static_cast<double>(coefficients)));
-  const std::size_t checks = 2 + static_cast<std::size_t>(checked_share * static_cast<double>(count));
-  if (static_cast<double>(count + checks) > worth * static_cast<double>(end - begin)) {
-    interval.fitted.resize(end - begin);
-    std::iota(interval.fitted.begin(), interval.fitted.end(), begin);
-    return interval;
-  }
-  const std::set<std::size_t> chosen = near_chebyshev(times, begin, end, count);
-  interval.fitted.assign(chosen.begin(), chosen.end());
-  // In the middles of the widest gaps, spread over the interval.
-  for (std::size_t i = 0; i < checks; ++i) {
-    std::size_t pulse = begin + (2 * i + 1) * (end - begin) / (2 * checks);
-    while (pulse < end && chosen.contains(pulse)) ++pulse;
-    if (pulse < end && (interval.checked.empty() || interval.checked.back() < pulse)) interval.checked.push_back(pulse);
-  }
-  return interval;
-}
-
-void add_intervals(const Times& times, std::size_t begin, std::size_t end, std::vector<TracedInterval>& intervals) {
-  const std::size_t coefficients = coefficients_of(times.groups(begin, end));
-  if (end - begin > 2 && (coefficients > most_coefficients || end - begin > most_pulses)) {
-    const std::size_t middle = begin + (end - begin) / 2;
-    add_intervals(times, begin, middle, intervals);
-    add_intervals(times, middle, end, intervals);
-    return;
-  }
-  intervals.push_back(traced(times, begin, end, coefficients));
-}
-
 using Matrix = Eigen::MatrixXcd;
 
-// The functions of a look and a frequency at some pulses.
-Matrix functions(const Times& times, const TracedInterval& interval, const std::vector<Group>& groups, std::size_t look, double k,
-                 const std::vector<std::size_t>& pulses) {
-  Matrix values(static_cast<Eigen::Index>(pulses.size()), static_cast<Eigen::Index>(coefficients_of(groups)));
-  const double first = times.time(interval.begin), last = times.time(interval.end - 1);
-  for (std::size_t i = 0; i < pulses.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double x = std::clamp((2.0 * times.time(pulses[i]) - first - last) / (last - first), -1.0, 1.0);
+// Of the space that the columns span.
+Matrix orthonormal(const Matrix& columns) {
+  Eigen::ColPivHouseholderQR<Matrix> pivoted(columns);
+  pivoted.setThreshold(least_coefficient);
+  return pivoted.householderQ() * Matrix::Identity(columns.rows(), pivoted.rank());
+}
+
+// An orthonormal basis of the functions of a look and a frequency, at all pulses of an interval.
+Matrix basis_of(const Times& times, std::size_t begin, std::size_t end, const std::vector<Group>& groups, std::size_t look,
+                double k) {
+  Matrix values(static_cast<Eigen::Index>(end - begin), static_cast<Eigen::Index>(coefficients_of(groups)));
+  const double first = times.time(begin), last = times.time(end - 1);
+  for (std::size_t pulse = begin; pulse < end; ++pulse) {
+    const auto row = static_cast<Eigen::Index>(pulse - begin);
+    const double x = std::clamp((2.0 * times.time(pulse) - first - last) / (last - first), -1.0, 1.0);
     Eigen::Index column = 0;
     for (const auto& [a, b, degree] : groups) {
-      const double path = 0.5 * (times.path(a, pulses[i], look) + times.path(b, pulses[i], look));
-      const double turns = k * path / (2.0 * pi);
+      const double turns = k * times.path(a, b, pulse, look) / (2.0 * pi);
       const Complex phase = std::polar(1.0, -2.0 * pi * (turns - std::round(turns)));
-      double before = x, polynomial = 1.0;  // T_1 = T_{-1}, T_0
+      double before = x, polynomial = 1.0;  // T_{-1} = T_1, T_0
       for (std::size_t n = 0; n <= degree; ++n) {
         values(row, column++) = polynomial * phase;
         before = std::exchange(polynomial, 2.0 * x * polynomial - before);
       }
     }
   }
-  return values;
+  return orthonormal(values);
+}
+
+// The pulses that tell functions apart best: pivots of a QR decomposition (Sommariva and Vianello 2009, approximate Fekete
+// points), and some more between them.
+std::set<std::size_t> telling_pulses(const Matrix& basis, std::size_t count) {
+  const Eigen::ColPivHouseholderQR<Matrix> pivoted(basis.adjoint());
+  std::set<std::size_t> chosen;
+  for (Eigen::Index i = 0; i < basis.cols(); ++i) chosen.insert(static_cast<std::size_t>(pivoted.colsPermutation().indices()(i)));
+  const auto pulses = static_cast<std::size_t>(basis.rows());
+  chosen.insert({0, pulses - 1});
+  for (std::size_t parts = 1; chosen.size() < std::min(count, pulses); ++parts)
+    for (std::size_t i = 0; i < parts && chosen.size() < std::min(count, pulses); ++i)
+      chosen.insert((2 * i + 1) * pulses / (2 * parts));
+  return chosen;
+}
+
+TracedInterval traced(const Times& times, std::size_t begin, std::size_t end, const std::vector<Group>& groups, double k) {
+  TracedInterval interval{begin, end, {}, {}};
+  const std::size_t pulses = end - begin;
+  const auto all = [&] {
+    interval.fitted.resize(pulses);
+    std::iota(interval.fitted.begin(), interval.fitted.end(), begin);
+    return interval;
+  };
+  if (static_cast<double>(pulses) * worth < 4.0) return all();
+  std::set<std::size_t> looks{0, times.looks() / 2, times.looks() - 1};
+  Matrix bases(static_cast<Eigen::Index>(pulses), 0);
+  for (const std::size_t look : looks) {
+    const Matrix basis = basis_of(times, begin, end, groups, look, k);
+    bases.conservativeResize(Eigen::NoChange, bases.cols() + basis.cols());
+    bases.rightCols(basis.cols()) = basis;
+  }
+  if (looks.size() > 1) bases = orthonormal(bases);
+  const auto count = static_cast<std::size_t>(std::ceil(times_a_function * static_cast<double>(bases.cols()))) + 1;
+  const std::size_t checks = 2 + static_cast<std::size_t>(checked_share * static_cast<double>(count));
+  if (static_cast<double>(count + checks) > worth * static_cast<double>(pulses)) return all();
+  const std::set<std::size_t> chosen = telling_pulses(bases, count);
+  for (const std::size_t pulse : chosen) interval.fitted.push_back(begin + pulse);
+  for (std::size_t i = 0; i < checks; ++i) {  // spread over the interval
+    std::size_t pulse = (2 * i + 1) * pulses / (2 * checks);
+    while (pulse < pulses && chosen.contains(pulse)) ++pulse;
+    if (pulse < pulses && (interval.checked.empty() || interval.checked.back() < begin + pulse))
+      interval.checked.push_back(begin + pulse);
+  }
+  return interval;
+}
+
+void add_intervals(const Times& times, std::size_t begin, std::size_t end, double k, std::vector<TracedInterval>& intervals) {
+  const std::vector<Group> groups = times.groups(begin, end);
+  if (end - begin > 2 && (coefficients_of(groups) > most_coefficients || end - begin > most_pulses)) {
+    const std::size_t middle = begin + (end - begin) / 2;
+    add_intervals(times, begin, middle, k, intervals);
+    add_intervals(times, middle, end, k, intervals);
+    return;
+  }
+  intervals.push_back(traced(times, begin, end, groups, k));
 }
 
 std::vector<std::size_t> traced_pulses(const TracedInterval& interval) {
@@ -186,7 +208,7 @@ void spread(const std::vector<std::size_t>& source, std::vector<Row>& rows) {
 
 std::vector<TracedInterval> traced_intervals(const Case& c, const MovingTarget& target) {
   std::vector<TracedInterval> intervals;
-  add_intervals(Times(c, target), 0, c.motion->times(), intervals);
+  add_intervals(Times(c, target), 0, c.motion->times(), wavenumber(std::ranges::max(c.sweep.frequencies)), intervals);
   return intervals;
 }
 
@@ -237,9 +259,15 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
       for (std::size_t f = 0; f < frequencies; ++f) {
         const auto row_of = [&](std::size_t pulse) { return pulse * per_pulse + look * frequencies + f; };
         const double k = wavenumber(sweep.frequencies[f]);
-        Eigen::CompleteOrthogonalDecomposition<Matrix> known(functions(times, interval, groups, look, k, interval.fitted));
-        known.setThreshold(least_singular);
-        const Matrix unknown = functions(times, interval, groups, look, k, others);
+        const Matrix basis = basis_of(times, interval.begin, interval.end, groups, look, k);
+        const auto at_pulses = [&](const std::vector<std::size_t>& pulses) {
+          Matrix rows(static_cast<Eigen::Index>(pulses.size()), basis.cols());
+          for (std::size_t i = 0; i < pulses.size(); ++i)
+            rows.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(pulses[i] - interval.begin));
+          return rows;
+        };
+        const Eigen::ColPivHouseholderQR<Matrix> known(at_pulses(interval.fitted));
+        const Matrix unknown = at_pulses(others);
         double checks = 0.0;
         visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) {
           Matrix values(static_cast<Eigen::Index>(interval.fitted.size()), 4);

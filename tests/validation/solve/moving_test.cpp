@@ -179,6 +179,47 @@ TEST(Moving, ThreadsAndKeptTimesChangeNoBit) {
   EXPECT_TRUE(same_bits(first.result.total, second.result.total));
 }
 
+double difference_of_all(const std::vector<ScatteringMatrix>& a, const std::vector<ScatteringMatrix>& b) {
+  double squares = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    squares += std::norm(frobenius_norm(a[i] - b[i])), all += std::norm(frobenius_norm(b[i]));
+  return std::sqrt(squares / all);
+}
+
+std::string retraced(std::string text) { return text.replace(text.find("[motion]\n"), 9, "[motion]\nretrace = \"auto\"\n"); }
+
+// Three bodies that only shift, each with its own velocity, and edges that do not light other bodies: each has its phase,
+// exactly.
+TEST(Moving, WhatOnlyShiftsIsFoundFromAFewTimes) {
+  const std::string mesh = three_bodies([](std::size_t) { return Pose(); }),
+                    text = case_text(
+                        "[edges]\nbetween = false\n[motion]\npulses = { interval_s = 5e-4, count = 128 }\n"
+                        "[motion.bodies.a]\nparts = \"a\"\nvelocity_m_per_s = [3.0, 0.0, 0.0]\n"
+                        "[motion.bodies.b]\nparts = \"b\"\nvelocity_m_per_s = [-2.0, 1.0, 0.5]\n");
+  const Solved every = solved(mesh, text), few = solved(mesh, retraced(text));
+  ASSERT_EQ(few.result.total.size(), every.result.total.size());
+  EXPECT_LT(difference_of_all(few.result.total, every.result.total), rounding);
+  EXPECT_LT(8 * few.result.statistics.tubes, every.result.statistics.tubes);
+}
+
+// Facets that turn come to light and go out of it: that is in no bound, but it is told, to a factor of three of what the checked
+// times show by chance.
+TEST(Moving, WhatIsFoundBetweenTracedTimesTellsItsError) {
+  const std::string text = case_text(
+      "[motion]\npulses = { interval_s = 1e-3, count = 400 }\n[motion.bodies.all]\n"
+      "axis = [0, 0, 1]\nrev_per_min = 60\n");
+  const Solved every = solved(one_body(), text), few = solved(one_body(), retraced(text));
+  const double off = difference_of_all(few.result.total, every.result.total);
+  measured("turning plates, S between traced times against every time traced", off, "");
+  EXPECT_LT(off, 0.03);
+  const auto told = std::ranges::find(few.result.statistics.skipped, "times traced", &Skipped::what);
+  ASSERT_NE(told, few.result.statistics.skipped.end());
+  const double said = std::stod(told->why.substr(told->why.find("off by ") + 7));
+  EXPECT_LT(off, 3.0 * said);
+  EXPECT_GT(off, said / 3.0);
+  EXPECT_GT(told->count, 200u);
+}
+
 TEST(Moving, BodiesThatRunIntoOneAnotherAreTold) {
   const std::string mesh = three_bodies([](std::size_t) { return Pose(); });
   const std::string towards =
