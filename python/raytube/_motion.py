@@ -23,6 +23,8 @@ class Motion(dict[str, Any]):
         Instead of them: so many pulses, this far apart [s].
     start : float
         Time of the first pulse [s].
+    retrace : str
+        "every": every time is traced. "auto": so many as the motion asks for, S between them from the phases of the bodies.
     reference : float
         Time at which steadily moving bodies are where the mesh has them [s].
 
@@ -42,7 +44,7 @@ class Motion(dict[str, Any]):
     """
 
     def __init__(self, times: Any = None, *, interval: float | None = None, count: int | None = None, start: float = 0.0,
-                 reference: float = 0.0) -> None:
+                 retrace: str = "every", reference: float = 0.0) -> None:
         super().__init__()
         if (times is None) == (interval is None or count is None):
             raise InputError("Motion: give times, or interval and count")
@@ -51,6 +53,7 @@ class Motion(dict[str, Any]):
         else:
             self["pulses"] = {"start_s": _arguments.number(start, "start"), "interval_s": _arguments.number(interval, "interval"),
                               "count": _arguments.whole(count, "count")}
+        self["retrace"] = _arguments.text(retrace, "retrace")
         self["reference_s"] = _arguments.number(reference, "reference")
         self["bodies"] = {}
 

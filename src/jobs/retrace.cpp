@@ -63,8 +63,10 @@ class Times {
     return target_.pose_of_part(parts_[part], time(pulse))(parts_[part].box.middle());
   }
 
+  // Beyond the way over the origin, which S counts from.
   double path_over_point(std::size_t part, std::size_t pulse, std::size_t of, const dvec3& at_rest) const {
-    return path_over(look(pulse, of), target_.pose_of_part(parts_[part], time(pulse))(at_rest));
+    const Look& seen = look(pulse, of);
+    return path_over(seen, target_.pose_of_part(parts_[part], time(pulse))(at_rest)) - path_over(seen, dvec3(0.0));
   }
 
   // Of the phase of a corner against the middle, over half the interval [rad].

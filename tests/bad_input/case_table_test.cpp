@@ -372,7 +372,7 @@ std::vector<BadRow> motion_rows() {
              "must make a unit quaternion"),
       motion("poses_too_short", body + "poses = [[0, 0, 0, 0], [0.002, 1, 0, 0]]\n",
              "has poses from 0 s to 0.002 s, but [motion] asks for 0.003 s"),
-      motion("no_table_of_poses", body + "poses_csv = \"none.csv\"\n",
+      motion("no_table_of_poses", body + "poses_csv = \"of_bad.toml\"\n",
              "poses_csv must name a readable CSV file with the header time_s,"),
       motion("track_of_nothing", pulses + "[motion.radar]\nvelocity_m_per_s = [1, 0, 0]\n",
              "[motion.radar] moves antennas from radar.position_m"),

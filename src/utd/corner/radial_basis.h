@@ -39,7 +39,7 @@ class RadialBasis {
 
   std::vector<RadialWave> waves_;
   std::vector<Factors> factors_;
-  std::array<Polynomials, RadialWave::polynomials> polynomials_;
+  std::array<std::array<Polynomials, RadialWave::polynomials>, 3> polynomials_;  // [derivative]
 };
 
 /// A sum of the Green's functions of all orders, each with its own factor.
