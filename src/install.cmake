@@ -17,7 +17,7 @@ set(public_headers
     mesh/trace/ray.h mesh/trace/tracer.h
     sbr/replay.h sbr/sbr.h sbr/tube_paths.h sbr/beams/spectrum.h sbr/beams/tube_sums.h sbr/launch/launch.h
     utd/shadow/wedge_lines.h utd/wedge/diffracted_field.h utd/wedge/ray_source.h utd/wedge/transition.h
-    scene/options.h scene/bounce_names.h scene/contribution.h plan/mechanism.h solve/image.h plan/ground_paths.h plan/plan.h solve/solve.h plan/target.h)
+    scene/options.h scene/bounce_names.h scene/contribution.h plan/mechanism.h solve/image.h plan/ground_paths.h plan/plan.h solve/shard.h solve/solve.h plan/target.h)
 foreach(header IN LISTS public_headers)
   cmake_path(GET header PARENT_PATH room)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/raytube/${room})
