@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A car of our own as a mesh: a smooth shell with cabin and wheel arches, four wheels, two mirrors, a silencer below the floor.
 
-    bench/car.py CAR.ply [--facets 8400] [--trim 0]
+    bench/car.py CAR.ply|CAR.obj [--facets 8400] [--trim 0]
 
 Eight closed bodies apart from one another, normals outward, in metres: 4.4 long, 1.8 wide without mirrors, 1.4 high, driving
 along +x, z up, the road at z = 0. From the usual number of facets on the shell has creases of 15 degrees and more at its wheel
@@ -72,6 +72,10 @@ def trim_places(count):
 class Mesh:
     def __init__(self):
         self.points, self.triangles = [], []
+        self.parts = []  # (name, where its triangles begin)
+
+    def begin(self, part):
+        self.parts.append((part, len(self.triangles)))
 
     def add_point(self, point):
         self.points.append(tuple(round(t, 6) + 0.0 for t in point))
@@ -129,10 +133,13 @@ def car(facets, trim=0):
         return [max(2, round(n * fineness / 2.0) * 2) for n in usual]  # even: the mesh has the car's plane of symmetry
 
     mesh = Mesh()
+    mesh.begin("shell")
     mesh.add_cube(cuts(*CUTS), shell)
     for x in AXLES:
         for side in (-1, 1):
+            mesh.begin(("front" if x > 0 else "rear") + ("_left" if side > 0 else "_right"))
             mesh.add_wheel((x, side * TRACK, WHEEL_RADIUS), side, 4 * max(2, round(6 * fineness)))
+    mesh.begin("trim")
     for side in (-1, 1):
         mesh.add_cube(cuts(4, 4, 4), ellipsoid((0.55, side * 0.98, 1.02), (0.07, 0.1, 0.07)))
     mesh.add_cube(cuts(6, 4, 2), ellipsoid((-1.75, 0.3, 0.12), (0.25, 0.15, 0.06)))
@@ -141,7 +148,19 @@ def car(facets, trim=0):
     return mesh
 
 
+def write_obj(mesh, path):
+    """Parts as groups."""
+    groups = dict((start, f"g {part}") for part, start in mesh.parts)
+    lines = ["v " + " ".join(f"{t:.6f}" for t in point) for point in mesh.points]
+    for i, corners in enumerate(mesh.triangles):
+        lines += [groups[i]] if i in groups else []
+        lines.append("f " + " ".join(str(c + 1) for c in corners))
+    path.write_text("\n".join(lines) + "\n")
+
+
 def write(mesh, path):
+    if path.suffix == ".obj":
+        return write_obj(mesh, path)
     head = ["ply", "format ascii 1.0", f"element vertex {len(mesh.points)}", *(f"property double {axis}" for axis in "xyz"),
             f"element face {len(mesh.triangles)}", "property list uchar int vertex_indices", "end_header"]
     points = (" ".join(f"{t:.6f}" for t in point) for point in mesh.points)

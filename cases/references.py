@@ -25,7 +25,7 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-COLUMNS = "freq_hz theta_deg phi_deg rx_theta_deg rx_phi_deg re_vv im_vv re_vh im_vh re_hv im_hv re_hh im_hh".split()
+COLUMNS = "time_s freq_hz theta_deg phi_deg rx_theta_deg rx_phi_deg re_vv im_vv re_vh im_vh re_hv im_hv re_hh im_hh".split()
 KEYS = "provenance run table compare tolerance".split()
 SOURCE_COLUMNS = "position model rays_asked rays part first_hits all_hits limit_percent exact_percent estimate_percent escaped absorbed cut".split()
 
@@ -96,7 +96,7 @@ def compared_as_text(result, reference):
 
 
 def write(path, head, rows):
-    columns = SOURCE_COLUMNS if head["compare"] == "exact" else COLUMNS
+    columns = [column for column in (SOURCE_COLUMNS if head["compare"] == "exact" else COLUMNS) if column in rows[0]]
     with open(path, "w") as f:
         f.writelines(f"# {key}: {value}\n" for key, value in head.items())
         f.write(",".join(columns) + "\n")
