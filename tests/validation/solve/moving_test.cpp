@@ -5,12 +5,8 @@
 #include <map>
 #include <mutex>
 
-#include "case/read_case.h"
-#include "case/target.h"
-#include "jobs/solve_case.h"
 #include "plan/phase_reference.h"
-#include "run.h"
-#include "scratch.h"
+#include "solved_case.h"
 
 namespace raytube {
 namespace {
@@ -23,26 +19,6 @@ const std::string looks_up = "[look]\ntheta_deg = [90.0, 63.0]\nphi_deg = [0.0, 
 
 std::string case_text(const std::string& more, const std::string& looks = looks_up) {
   return "[target]\nmesh = \"m.obj\"\nunit = \"m\"\n[frequency]\nghz = [9.7, 10.0]\n" + looks + more;
-}
-
-struct Solved {
-  Case c;
-  SweepResult result;
-  std::vector<std::string> warnings;
-};
-
-Solved solved(const std::string& mesh, const std::string& text, int threads = 0, const KeptLooks& kept = {}) {
-  const Scratch scratch;
-  scratch.write("m.obj", mesh);
-  Solved s{read_case(scratch.write("case.toml", text), {}), {}, {}};
-  const auto moving = s.c.motion ? std::make_shared<const MovingTarget>(read_target(s.c), s.c) : nullptr;
-  const LoadedMesh loaded = moving ? mesh_of_plan(s.c, *moving) : load_target(s.c);
-  const Target target(loaded.mesh, s.c.wedges);
-  const PlannedCase planned(s.c, target, loaded.report, target.mesh.vertices, threads, true, moving);
-  Manifest manifest;
-  s.result = solve_case(planned, manifest, {}, kept, nullptr);
-  s.warnings = planned.warnings;
-  return s;
 }
 
 // A square of ten centimetres that faces +x, and a smaller one at an angle behind it: without any symmetry, and no edge of one in

@@ -1,0 +1,32 @@
+// Cases as their files have them, solved as the program does.
+#pragma once
+
+#include "case/read_case.h"
+#include "case/target.h"
+#include "jobs/solve_case.h"
+#include "run.h"
+#include "scratch.h"
+
+namespace raytube::testing {
+
+struct Solved {
+  Case c;
+  SweepResult result;
+  std::vector<std::string> warnings;
+};
+
+inline Solved solved(const std::string& mesh, const std::string& text, int threads = 0, const KeptLooks& kept = {}) {
+  const Scratch scratch;
+  scratch.write("m.obj", mesh);
+  Solved s{read_case(scratch.write("case.toml", text), {}), {}, {}};
+  const auto moving = s.c.motion ? std::make_shared<const MovingTarget>(read_target(s.c), s.c) : nullptr;
+  const LoadedMesh loaded = moving ? mesh_of_plan(s.c, *moving) : load_target(s.c);
+  const Target target(loaded.mesh, s.c.wedges);
+  const PlannedCase planned(s.c, target, loaded.report, target.mesh.vertices, threads, true, moving);
+  Manifest manifest;
+  s.result = solve_case(planned, manifest, {}, kept, nullptr);
+  s.warnings = planned.warnings;
+  return s;
+}
+
+}  // namespace raytube::testing
