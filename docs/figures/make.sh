@@ -84,6 +84,17 @@ chromium --headless --no-sandbox --use-gl=swiftshader --enable-unsafe-swiftshade
 "$program" profile cases/haul_truck/profile.toml -o "$work/truck_profile" --padding 16 --quiet
 "$program" isar cases/turntable/case.toml -o "$work/turntable" --quiet
 /usr/bin/python3 docs/figures/first_page.py "$work/turntable/isar.csv" "$work/dihedral3/rcs.csv" "$work/dihedral3_off/rcs.csv" docs/figures
+spectrogram() { # CASE DECIBELS [options]: of a case, HH
+  local name=$1 decibels=$2
+  shift 2
+  "$program" doppler "cases/$name/case.toml" -o "$work/$name" --spectrogram --quiet "$@"
+  "$program" plot "$work/$name/spectrogram.csv" --channels hh --range "$decibels" -o docs/figures/$name.png --quiet
+}
+spectrogram rotor 55 --window-length 24 --overlap 0.9
+spectrogram wheel 35 --middle-velocity 5
+spectrogram pendulum 30
+run drive_by cases/drive_by/case.toml
+PYTHONPATH="$(dirname "$program")/python" /usr/bin/python3 docs/figures/drive_by.py "$work/drive_by/rcs.csv" docs/figures/drive_by.png
 grep -v '^[#a-z]' "$work/truck_profile/profile.csv" >"$work/truck_profile.csv"
 for name in double_slit/case double_slit/study open_box/case; do
   "$program" sources cases/$name.toml -o "$work/$name" --quiet

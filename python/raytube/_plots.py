@@ -298,22 +298,20 @@ def doppler_levels(data: Any) -> Floats:
     return np.asarray(sigma.transpose(*(name for name in ("range_m", "velocity_m_per_s", "channel") if name in sigma.dims)).values)
 
 
-def _add_doppler(axis: Any, place: str, hertz_per_velocity: float) -> None:
+def _add_doppler(axis: Any, place: str, data: Any) -> None:
     """Doppler frequencies beside velocities."""
     add = axis.secondary_xaxis if place == "top" else axis.secondary_yaxis
-    beside = add(place, functions=(lambda v: v * hertz_per_velocity / 1e3, lambda khz: khz * 1e3 / hertz_per_velocity))
-    (beside.set_xlabel if place == "top" else beside.set_ylabel)("Doppler frequency (kHz)")
-
-
-def _hertz_per_velocity(data: Any) -> float:
-    return float(2.0 * data.attrs["doppler_frequency_hz"] / 299792458.0)
+    hertz = float(2.0 * data.attrs["doppler_frequency_hz"] / 299792458.0)
+    unit, scale = ("kHz", 1e-3 * hertz) if hertz * float(abs(data["velocity_m_per_s"]).max()) >= 1e3 else ("Hz", hertz)
+    beside = add(place, functions=(lambda v: v * scale, lambda shown: shown / scale))
+    (beside.set_xlabel if place == "top" else beside.set_ylabel)(f"Doppler frequency ({unit})")
 
 
 def draw_doppler(ax: Any, data: Any, levels: Floats, **colours: Any) -> Any:
     """Levels [range, velocity] as a map, with Doppler frequencies at the top."""
     mesh = draw_cells(ax, data["velocity_m_per_s"].values, data["range_m"].values, levels, **colours)
     ax.set(xlabel=_VELOCITY, ylabel="range (m)")
-    _add_doppler(ax, "top", _hertz_per_velocity(data))
+    _add_doppler(ax, "top", data)
     return mesh
 
 
@@ -321,14 +319,14 @@ def draw_velocities(ax: Any, data: Any, sigma: dict[str, Floats], style: Style) 
     """Levels against velocity, a curve a channel."""
     draw_profile(ax, data["velocity_m_per_s"].values, sigma, style)
     ax.set(xlabel=_VELOCITY)
-    _add_doppler(ax, "top", _hertz_per_velocity(data))
+    _add_doppler(ax, "top", data)
 
 
 def draw_spectrogram(ax: Any, data: Any, levels: Floats, **colours: Any) -> Any:
     """Levels [velocity, time] as a map, with Doppler frequencies at the right."""
     mesh = draw_cells(ax, data["time_s"].values, data["velocity_m_per_s"].values, levels, **colours)
     ax.set(xlabel=LABELS[TIME], ylabel=_VELOCITY)
-    _add_doppler(ax, "right", _hertz_per_velocity(data))
+    _add_doppler(ax, "right", data)
     return mesh
 
 

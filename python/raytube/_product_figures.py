@@ -166,7 +166,7 @@ def _strongest_look(data: Any) -> Any:
 
 
 def _velocity_text(limits: Any) -> str:
-    return (f"f₀ = {limits['doppler_frequency_hz'] / 1e9:.5g} GHz, resolution {limits['velocity_resolution_m_per_s']:.3g} m/s, "
+    return (f"f₀ = {limits['doppler_frequency_hz'] / 1e9:.5g} GHz\nresolution {limits['velocity_resolution_m_per_s']:.3g} m/s, "
             f"unambiguous {limits['velocity_unambiguous_m_per_s']:.4g} m/s")
 
 
