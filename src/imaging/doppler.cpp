@@ -280,6 +280,8 @@ DopplerMap range_doppler_angle(const SweepSamples& samples, const DopplerOptions
 Spectrogram spectrogram(const SweepSamples& samples, const SpectrogramOptions& options, const std::string& what) {
   const PulseGrid pulses = pulse_grid(samples.times, what);
   const EvenAxis time = even_times(pulses, what);
+  if (options.gate && samples.frequency.count < 2)
+    throw InputError(what + ": a gate chooses ranges, which one frequency does not tell apart; compute several, or leave it out");
   const std::size_t count = pulses.times.size(),
                     length = options.length > 0 ? options.length : static_cast<std::size_t>(std::ceil(std::sqrt(count)));
   if (length < 2 || length > count)

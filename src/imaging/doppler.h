@@ -97,7 +97,7 @@ struct Spectrogram {
 };
 
 /// A point that moves evenly in the middle of the gate reads its sigma at its velocity, however wide the gate is. Throws
-/// InputError as doppler_map does, and for a window of more pulses than there are.
+/// InputError as doppler_map does, for a window of more pulses than there are, and for a gate of one frequency.
 Spectrogram spectrogram(const SweepSamples& samples, const SpectrogramOptions& options, const std::string& what);
 
 }  // namespace raytube

@@ -80,6 +80,38 @@ std::string antenna_lines(const Json& data) {
   return beams.empty() ? text : text + line("", fmt::format("{}", fmt::join(beams, ", ")));
 }
 
+// How a body moves, or the antennas.
+std::string moves_text(const Json& body) {
+  std::vector<std::string> how;
+  if (const double rate = body.value("deg_per_s", 0.0)) how.push_back(fmt::format("{:.4g} rev/min", std::abs(rate) / 6.0));
+  for (const char* table : {"poses_csv", "track_csv"})
+    if (body.contains(table)) how.push_back("poses of " + text_at(body, table));
+  if (body.contains("poses")) how.push_back(fmt::format("{} poses", body["poses"].size()));
+  const Json* const velocity = find(body, "velocity_m_per_s");
+  if (const double v = velocity ? glm::length(vector_of(*velocity)) : 0.0) how.push_back(fmt::format("{:.4g} m/s", v));
+  return how.empty() ? "stands" : fmt::format("{}", fmt::join(how, ", "));
+}
+
+// When, what moves, and what Doppler of the pulses resolves in the middle of the band: imaging/doppler.h.
+std::string motion_lines(const Json& c, const std::vector<double>& ghz) {
+  const Json* const motion = find(c, "motion");
+  if (!motion) return "";
+  std::string text;
+  if (const Json* pulses = find(*motion, "pulses")) {
+    const double interval = number_at(*pulses, "interval_s"), count = number_at(*pulses, "count"),
+                 unambiguous = 0.5 * wavelength(0.5e9 * (std::ranges::min(ghz) + std::ranges::max(ghz))) / interval;
+    text = line("motion", fmt::format("{} pulses, {:.4g} s apart: Doppler resolves {:.3g} m/s and repeats after {:.3g} m/s",
+                                      count, interval, unambiguous / count, unambiguous));
+  } else {
+    text = line("motion", fmt::format("at {} s", values_text((*motion)["times_s"])));
+  }
+  if (const Json* radar = find(*motion, "radar")) text += line("", "antennas: " + moves_text(*radar));
+  if (const Json* bodies = find(*motion, "bodies"))
+    for (const auto& [name, body] : bodies->items())
+      text += line("", name + (body.contains("on") ? " on " + text_at(body, "on") : "") + ": " + moves_text(body));
+  return text;
+}
+
 std::string range_profile_line(const std::vector<double>& ghz) {
   std::vector<double> hertz;
   for (const double each : ghz) hertz.push_back(each * 1e9);
@@ -125,7 +157,7 @@ std::string case_text(const Json& data) {
   text += line("mesh", fmt::format("{}, one unit is {} m ({}){}", mesh_names(target["mesh"]), number_at(data, "metres_per_unit"),
                                    text_at(target, "unit"), data["materials"].empty() ? ", perfect conductor" : ""));
   text += line("frequency", values_text(c["frequency"]["ghz"]) + " GHz") + range_profile_line(ghz);
-  text += line("looks", looks_text(data)) + antenna_lines(data);
+  text += line("looks", looks_text(data)) + antenna_lines(data) + motion_lines(c, ghz);
   if (const Json* ground = find(c, "ground")) {
     const std::string material = text_at(*ground, "material");
     text += line("ground", fmt::format("at z = {} m, {}", number_at(*ground, "height_m"),

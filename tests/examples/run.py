@@ -33,6 +33,9 @@ EXPECTED = {
     "range_profile": [(f"face at {place} m, {NUMBER} dBsm: peak at {NUMBER} m, {NUMBER} dBsm", (level, float(place), level),
                        (0.006, 0.0025, 0.1))
                       for place, level in (("-1.20", 13.50), ("0.30", 1.46), ("0.90", 8.50))],
+    # Windows of 24 pulses lie .4 ms apart. Two pi times five turns a second times one metre times the sine of 60 degrees.
+    "rotor": [(f"first flash at {NUMBER} s, a quarter of a turn is {NUMBER} s", (0.05, 0.05), (0.0011, 0.0006)),
+              (f"tips at up to {NUMBER} m/s, {NUMBER} Hz", (27.21, 1815), (0.06, 0.6))],
     # As in the tests of the solver against the same reference: .19 and .37 dB are what the theory is off, .02 dB is for rounding of both.
     "measured_curve": [(f"vv: rms {NUMBER} dB, correlation {NUMBER}", (0.19, 1), (0.02, 0.001)),
                        (f"hh: rms {NUMBER} dB, correlation {NUMBER}", (0.37, 1), (0.02, 0.002))],

@@ -289,6 +289,13 @@ TEST(Doppler, WindowsOfMorePulsesThanThereAreAreRefused) {
               HasSubstr("from 2 to 8"));
 }
 
+TEST(Doppler, AGateOfOneFrequencyIsRefused) {
+  SpectrogramOptions options;
+  options.gate = 1.0;
+  EXPECT_THAT(refusal([&] { spectrogram(samples_of_points(single, pulse_times(8), {}), options, "test"); }),
+              HasSubstr("one frequency does not tell apart"));
+}
+
 // Pulses of two antennas at a finite distance: places, and S with the frequency before the receiver.
 TEST(Doppler, TheCubeHoldsPulsesAntennasAndTheirPlaces) {
   const Scratch scratch;
