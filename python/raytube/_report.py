@@ -29,7 +29,7 @@ _NOTHING = -32768  # hundredths of a decibel: stands for no return at all
 _MOST_VALUES = 600_000  # of two bytes: 1.6 MB of a page
 _MAP_COLUMNS, _MAP_ROWS = 240, 200
 _MOST_RANGES, _MOST_LOOKS, _MOST_ACROSS = 500, 200, 240
-_MOST_ISAR_CELLS, _MOST_PIXELS, _RANGES_A_CELL = 2e6, 4.0, 8  # smooth to the eye
+_MOST_ISAR_CELLS, _MOST_PIXELS, _RANGES_A_CELL, _VELOCITIES_A_CELL = 2e6, 4.0, 8, 4  # smooth to the eye
 _MOST_CENTRES = 1000  # more only hide one another
 _LONGEST_LIST = 8
 _READ_ONE_BY_ONE = ("warnings", "model_uncertainty", "skipped", "mechanisms")  # lists of run.json
@@ -63,7 +63,7 @@ def data_of(file: Path, looks: list[int]) -> dict[str, Any]:
     rows = rows_of_result(Result(source.stored), str(file))
     data: dict[str, Any] = {"title": source.title, "file": file.name, "sentences": _sentences(source, rows), "sweep": _sweep(source, rows)}
     for name, words, view in (("map", "Map", lambda: _map(rows)), ("profiles", "Range profiles", lambda: _profiles(source)),
-                              ("isar", "ISAR image", lambda: _isar(source)), ("centres", "Scattering centres", lambda: _centres(source))):
+                              ("doppler", "Doppler", lambda: _doppler(source)), ("isar", "ISAR image", lambda: _isar(source)), ("centres", "Scattering centres", lambda: _centres(source))):
         data[name] = _or_note(source, words, view)
     data["scene"] = _scene(source, looks)
     return data | {"record": _record(source.run), "notes": source.notes}
@@ -228,6 +228,28 @@ def _profiles(source: Source) -> dict[str, Any]:
     return {"range": _block_axis(at, ranges), "looks_a_block": size, "blocks": len(amplitude),
             "resolution": made["resolution_m"], "unambiguous": made["unambiguous_m"], "window": _WINDOW.capitalize(),
             "model": [level if np.isfinite(level) else None for level in model.tolist()], "sigma": four_levels(dbsm(amplitude))}
+
+
+def _doppler(source: Source) -> dict[str, Any] | None:
+    """Of a scene that moves, the strongest look of a pulse over velocity and range; of one frequency over time and velocity."""
+    stored = source.stored
+    if not stored.moving:
+        return None
+    looks = len(stored.theta_deg) // len(_core.pulse_times(stored))
+    look, asked = int(np.nanargmax(np.abs(stored.S).max(axis=(1, 2, 3)))) % looks, ("", 0.0, 0.0, _WINDOW, _SIDELOBE_DB, _VELOCITIES_A_CELL)
+    if len(stored.frequency_hz) > 1:
+        made, names = _core.doppler(stored, look, False, *asked), ("range_m", "velocity_m_per_s")
+        power = 4.0 * np.pi * np.abs(made["S"][:, :, 0]) ** 2
+    else:
+        made, names = _core.spectrogram(stored, look, 0, 0.75, None, *asked), ("velocity_m_per_s", "time_s")
+        power = made["sigma_m2"].transpose(1, 0, 2)
+    axes = {}
+    for i, (axis, name) in enumerate(zip("yx", names)):
+        power, size = largest_of_blocks(power, i, _MOST_ACROSS)
+        axes[axis] = _block_axis(made[name], size) | {"quantity": name}
+    with np.errstate(divide="ignore"):
+        return axes | {"sigma": four_levels(10.0 * np.log10(power)), "look": look if looks > 1 else None, "window": _WINDOW.capitalize(),
+                       **{name: made[f"velocity_{name}_m_per_s"] for name in ("resolution", "unambiguous")}}
 
 
 def _isar(source: Source) -> dict[str, Any]:

@@ -8,6 +8,7 @@ import struct
 import numpy as np
 import pytest
 
+import raytube as rt
 from raytube import InputError, Result, _core, _report, _report_command, _rows
 from raytube.__main__ import main
 
@@ -90,6 +91,21 @@ def test_every_view_is_there_and_its_page_can_be_parsed(data):
     assert "<title>&lt;/script&gt; a &lt; b &amp; c</title>" in page and "THREE_IS_HERE" in page and "buildPage();" in page and "@data@" not in page
     packed = re.search(r'id="data">(.*?)</script>', page, re.DOTALL)[1]
     assert json.loads(packed)["title"] == "</script> a < b & c" and json.loads(packed)["sweep"] == data["sweep"]
+
+
+@pytest.mark.parametrize("ghz, up, across", [([10.0], "velocity_m_per_s", "time_s"), ([9.8, 9.9, 10.0, 10.1], "range_m", "velocity_m_per_s")])
+def test_a_scene_that_moves_has_its_doppler(ghz, up, across, tmp_path):
+    plate = rt.Target([[0, 0, 0], [0, .3, 0], [0, .3, .3], [0, 0, .3]], [[0, 1, 2, 3]], unit="m")
+    motion = rt.Motion(interval=1e-3, count=64).body("plate", velocity=(2.0, 0.0, 0.0))
+    rt.solve(plate, ghz, rt.monostatic(90, 0), motion=motion).save(tmp_path / "moving.nc")
+    shown = _report.data_of(tmp_path / "moving.nc", [])["doppler"]
+    assert (shown["y"]["quantity"], shown["x"]["quantity"], shown["look"]) == (up, across, None)
+    levels = unpacked(shown["sigma"][0], "<i2").reshape(shown["y"]["count"], shown["x"]["count"]) / 100.0
+    peak = dict(zip("yx", np.unravel_index(np.argmax(levels), levels.shape)))
+    axis = next(name for name in "xy" if shown[name]["quantity"] == "velocity_m_per_s")
+    velocities = np.linspace(shown[axis]["first"], shown[axis]["last"], shown[axis]["count"])
+    assert velocities[peak[axis]] == pytest.approx(2.0, abs=0.51 * (velocities[1] - velocities[0]))
+    assert levels.max() == pytest.approx(10 * np.log10(4 * np.pi * 0.09**2 / 0.03**2), abs=0.2)
 
 
 def test_kept_images_are_those_of_a_new_solve(data, folder):

@@ -114,7 +114,7 @@ def check_page(browser, name, page, pictures):
     if pictures:
         for section in sections:
             browser.picture("#" + section, os.path.join(pictures, f"{name}_{section}.png"))
-    plots = sorted(sections & {"curves", "polar", "map", "profile", "waterfall", "isar"}) + [s for s in sections if s.startswith("image")]
+    plots = sorted(sections & {"curves", "polar", "map", "profile", "waterfall", "doppler", "isar"}) + [s for s in sections if s.startswith("image")]
     for section in plots + (["space"] if in_space else []):
         try_switches(browser, section)
         try_choices(browser, section)

@@ -211,6 +211,17 @@ function addWaterfall(sigma, profiles, axis) {
 }
 
 // Cross-range to the right, away from the radar upwards.
+const dopplerLabels = { range_m: "range (m)", velocity_m_per_s: "velocity towards the radar (m/s)", time_s: "time (s)" };
+
+function addDoppler(doppler) {
+  if (!doppler) return;
+  const { x, y } = doppler, sigma = fourLevels(doppler.sigma), heading = x.quantity === "time_s" ? "Spectrogram" : "Range and velocity";
+  const { controls, holder } = addPlotSection("doppler", heading, (doppler.look === null ? "" : `Of look ${doppler.look} of a pulse. `) +
+    `What comes nearer has a positive velocity. A peak is ${numberText(doppler.resolution, 3)} m/s wide (3 dB, ${doppler.window} window); what is ${numberText(doppler.unambiguous, 4)} m/s faster appears at the same velocity.`);
+  const plot = new HeatPlot(holder, { label: heading, xLabel: dopplerLabels[x.quantity], yLabel: dopplerLabels[y.quantity] });
+  addHeatControls(controls, plot, strongestChannel(sigma), (channel) => ({ levels: sigma[channel], columns: x.count, rows: y.count, x: [x.first, x.last], y: [y.first, y.last] }), "doppler");
+}
+
 const isarGrid = (isar, channel) => ({ levels: isar.levels[channel], columns: isar.cross.count, rows: isar.range.count,
   x: [isar.cross.first, isar.cross.last], y: [isar.range.first, isar.range.last] });
 
@@ -261,6 +272,7 @@ function buildPage() {
   new CurveView(rows);
   addMap(report.map);
   addProfiles(report.profiles, rows, sweep);
+  addDoppler(report.doppler);
   addIsar(report.isar, report.scene);
   addLookImages(report.scene, sweep);
   addSpace(report.scene, sweep, report.isar, centres);

@@ -96,6 +96,10 @@ AngleGrid grid_of_looks(const StoredResult& result, const std::string& name) {
     angles.push_back({look.theta_deg, look.phi_deg});
   }
   if (std::optional<AngleGrid> scan = scan_of_looks(result)) return *std::move(scan);
+  if (std::ranges::adjacent_find(result.looks, std::ranges::not_equal_to{}, &StoredLook::time_s) != result.looks.end())
+    throw InputError(name +
+                     ": its looks are of several times; images need a scene that stands, or antennas that move along a line; "
+                     "raytube doppler makes maps over range and velocity");
   return angle_grid(angles, name + ": look");
 }
 
