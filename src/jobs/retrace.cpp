@@ -297,7 +297,7 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
       }
   }
   if (found > 0)
-    all.statistics.skipped.push_back({"times traced",
+    all.statistics.skipped.push_back({"times",
                                       fmt::format("motion.retrace is \"auto\": S at these is found between those that were; "
                                                   "where it was checked it was off by {:.2g} of S",
                                                   squares > 0.0 ? std::sqrt(wrong / squares) : 0.0),
