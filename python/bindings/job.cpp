@@ -13,6 +13,7 @@
 #include "jobs/density_study.h"
 #include "jobs/inputs.h"
 #include "jobs/memory.h"
+#include "jobs/retrace.h"
 #include "jobs/shared_work.h"
 #include "jobs/solvable.h"
 #include "jobs/solve_case.h"
@@ -95,7 +96,7 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
 
 Json Job::check(int threads) const {
   const MovingTarget* const moving = built->moving.get();
-  const Case part = moving ? case_of_plan(asked, *moving) : asked;
+  const Case part = moving ? case_of_plan(computed_case(asked, *moving), *moving) : asked;
   const SolvePlan plan = plan_of_case(built->target, part, threads_of(threads), false);
   Json data = check_data(asked, built->report, plan, moving);
   check_memory(plan, asked);

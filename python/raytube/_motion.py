@@ -100,6 +100,22 @@ class Motion(dict[str, Any]):
         self["bodies"][name] = {key: value for key, value in keys.items() if value is not None}
         return self
 
+    def radar(self, velocity: Any) -> Motion:
+        """Lets the antennas move, whose places at the reference time `solve` is given as ``radar={"position_m": ...}``.
+
+        Parameters
+        ----------
+        velocity : sequence of float
+            Steady velocity [m/s]. What the antennas are aimed at stands.
+
+        Returns
+        -------
+        Motion
+            This one.
+        """
+        self["radar"] = {"velocity_m_per_s": _listed(velocity, "velocity")}
+        return self
+
 
 def _listed(values: Any, name: str) -> Any:
     return None if values is None else np.asarray(_arguments.numbers(values, name)).tolist()

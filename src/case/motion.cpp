@@ -17,8 +17,9 @@ namespace raytube {
 
 namespace {
 
-constexpr double fastest = 0.01 * speed_of_light;  // beyond, waves change by motion in ways that nothing here knows [m/s]
-constexpr double unit_rounding = 1e-3;             // of a quaternion's length, as tables round it
+constexpr double unit_rounding = 1e-3;  // of a quaternion's length, as tables round it
+
+constexpr double least_along = 0.2588;  // of neighbours: the cosine of half of 150 degrees
 
 const std::vector<std::string> pose_columns = {"time_s", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"};
 
@@ -42,17 +43,21 @@ void append_pose(const std::vector<double>& line, const std::string& where, std:
       sample.turn[i] = line[4 + i] / length;
       along += sample.turn[i] * (poses.empty() ? 0.0 : poses.back().turn[i]);
     }
+    if (!poses.empty() && std::abs(along) < least_along)
+      throw InputError(
+          where +
+          ": is turned by more than 150 degrees against the pose before, so that the way there is not told; add one between");
     if (along < 0.0)  // of the two quaternions that stand for one turn, the one nearer to the pose before
       for (double& part : sample.turn) part = -part;
   }
   poses.push_back(sample);
 }
 
-std::vector<PoseSample> read_poses_csv(const std::filesystem::path& file) {
-  const std::string header = joined(pose_columns, ",");
+std::vector<PoseSample> read_poses_csv(const std::filesystem::path& file, std::size_t most_columns = pose_columns.size()) {
+  const std::string header = joined(std::span(pose_columns).first(most_columns), ",");
   CsvReader reader(file, "poses_csv must name a readable CSV file with the header " + header);
   const std::size_t columns = reader.columns().size();
-  if ((columns != 4 && columns != pose_columns.size()) ||
+  if ((columns != 4 && columns != most_columns) ||
       !std::equal(reader.columns().begin(), reader.columns().end(), pose_columns.begin()))
     throw InputError(
         fmt::format("{}: the header must be \"{}\", or the first four of these where nothing turns", file.string(), header));
@@ -136,14 +141,8 @@ BodyMotion read_body(const CaseValue& section, const std::string& name, Case& c)
   BodyMotion body;
   body.name = name;
   if (const CaseValue* parts = section.find("parts")) body.parts = read_parts(*parts, path_of(body, "parts"));
-  if (const CaseValue* velocity = section.find("velocity_m_per_s")) {
+  if (const CaseValue* velocity = section.find("velocity_m_per_s"))
     body.velocity = read_vector(*velocity, path_of(body, "velocity_m_per_s"));
-    if (glm::length(body.velocity) > fastest)
-      reject(
-          *velocity,
-          fmt::format("{} is {:.3g} m/s: above {:.3g} m/s motion changes more of a wave than its phase; write metres per second",
-                      path_of(body, "velocity_m_per_s"), glm::length(body.velocity), fastest));
-  }
   read_turning(section, body);
   const CaseValue *table = section.find("poses_csv"), *list = section.find("poses");
   if (table && list)
@@ -213,7 +212,7 @@ BodyMotion read_track(const CaseValue& section, const CaseValue& root, const Cas
   if (velocity) radar.velocity = read_vector(*velocity, "motion.radar.velocity_m_per_s");
   if (!track) return radar;
   radar.poses_csv = read_file_name(*track, "motion.radar.track_csv", "track");
-  radar.poses = read_poses_csv(c.file.parent_path() / radar.poses_csv);
+  radar.poses = read_poses_csv(c.file.parent_path() / radar.poses_csv, 4);
   check_times(*track, "motion.radar.track_csv", radar.poses, c);
   return radar;
 }
@@ -258,11 +257,14 @@ void read_times(const CaseValue& section, MotionChoice& choice, Case& c) {
       c.sweep.times.push_back(choice.start_s + static_cast<double>(i) * choice.interval_s);
   } else if (times) {
     c.sweep.times = choice.times_s = read_values(*times, "motion.times_s", c.warnings);
-    if (std::ranges::adjacent_find(c.sweep.times, std::ranges::greater_equal()) != c.sweep.times.end())
-      reject(*times, "motion.times_s must ascend; sort them, and give each once");
   } else {
     reject(section, "[motion] does not say when; add pulses = { start_s = 0.0, interval_s = 1e-4, count = 256 }, or times_s");
   }
+  if (std::ranges::adjacent_find(c.sweep.times, std::ranges::greater_equal()) != c.sweep.times.end())
+    reject(times ? *times : *pulses,
+           times ? "motion.times_s must ascend; sort them, and give each once"
+                 : "motion.pulses.interval_s must be longer than what numbers as large as start_s tell apart; "
+                   "start at 0");
 }
 
 }  // namespace
@@ -277,6 +279,9 @@ void read_motion(const CaseValue& root, Case& c) {
     choice.motion.reference = read_number(*reference, "motion.reference_s");
   if (const CaseValue* retrace = section->find("retrace"))
     choice.retrace = read_word(*retrace, "motion.retrace", retrace_words) == 0;
+  if (!choice.retrace && c.incoherent)
+    reject(*find(root, "motion.retrace"), {find(root, "output.incoherent")},
+           "motion.retrace \"auto\" follows phases, which output.incoherent has none of; write \"every\", or remove that");
   if (const CaseValue* bodies = section->find("bodies")) {
     for (std::size_t i = 0; i < bodies->keys.size(); ++i)
       choice.motion.bodies.push_back(read_body(bodies->items[i], bodies->keys[i], c));

@@ -1,6 +1,6 @@
 #include "case/moving_target.h"
 
-#include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 #include "core/decimal.h"
 #include "core/error.h"
 #include "core/text.h"
-#include "mesh/model/join.h"
 #include "mesh/model/triangle_pairs.h"
 #include "mesh/model/triangle_tree.h"
 
@@ -133,11 +132,7 @@ std::vector<dvec3> MovingTarget::points_at(double time) const {
 LoadedMesh MovingTarget::at(double time) const {
   PolygonSoup moved = soup_;
   moved.points = points_at(time);
-  try {
-    return build_target(std::move(moved), case_, mesh_names(case_));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{} (at {:.9g} s)", error.what(), time));
-  }
+  return saying_when(time, [&] { return build_target(std::move(moved), case_, mesh_names(case_)); });
 }
 
 std::vector<std::string> MovingTarget::warnings(const Sweep& sweep) const {
@@ -149,45 +144,71 @@ std::vector<std::string> MovingTarget::warnings(const Sweep& sweep) const {
   return sentences;
 }
 
+namespace {
+
+// Whether two bodies run into one another: of their triangles those where both are.
+bool cross(const TriangleMesh& a, const TriangleMesh& b) {
+  const Box box_a = bounding_box(a.vertices), box_b = bounding_box(b.vertices),
+            both{glm::max(box_a.low, box_b.low), glm::min(box_a.high, box_b.high)};
+  const auto reaches = [](const Box& box, const Box& other) {
+    return glm::all(glm::lessThanEqual(box.low, other.high)) && glm::all(glm::lessThanEqual(other.low, box.high));
+  };
+  if (!reaches(box_a, box_b)) return false;
+  TriangleMesh common;  // each body as one patch, of which triangles are never compared
+  for (const TriangleMesh* body : {&a, &b}) {
+    const auto first = static_cast<std::uint32_t>(common.vertices.size());
+    common.vertices.insert(common.vertices.end(), body->vertices.begin(), body->vertices.end());
+    for (std::uint32_t t = 0; t < body->triangles.size(); ++t) {
+      if (!reaches(bounding_box(body->corners(t)), both)) continue;
+      const auto& [i, j, k] = body->triangles[t];
+      common.triangles.push_back({i + first, j + first, k + first});
+      common.triangle_patch.push_back(body == &a ? 0 : 1);
+    }
+  }
+  if (common.triangles.empty()) return false;
+  common.patches.resize(2);
+  const auto meet = [&](std::uint32_t i, std::uint32_t j) { return !are_apart(common.corners(i), common.corners(j), 0.0); };
+  return !TriangleTree(common).close_pairs(0.0, meet).empty();
+}
+
+}  // namespace
+
 // Bodies that touch in the file may do so whenever they like.
 std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times) const {
-  std::set<std::size_t> bodies(body_of_polygon_.begin(), body_of_polygon_.end());
-  std::vector<std::size_t> numbers(bodies.begin(), bodies.end());
-  std::vector<TriangleMesh> parts;
-  for (const std::size_t body : numbers)
-    parts.push_back(build_mesh(part_of(soup_, body_of_polygon_, body), case_.metres_per_unit).mesh);
-  using Pair = std::pair<std::size_t, std::size_t>;
-  const auto crossing_at = [&](const std::vector<Pose>& poses) {
-    std::vector<TriangleMesh> posed = parts;
-    std::vector<Box> boxes(parts.size());
-    for (std::size_t i = 0; i < posed.size(); ++i) {
-      const Pose& pose = poses[i];
-      for (dvec3& v : posed[i].vertices) boxes[i].add((v = pose.turn * v) + pose(posed[i].center));
-      posed[i].center = pose(posed[i].center);
+  const std::set<std::size_t> bodies(body_of_polygon_.begin(), body_of_polygon_.end());
+  std::vector<std::size_t> numbers;
+  std::vector<TriangleMesh> parts;  // in the mesh's own coordinates
+  for (const std::size_t body : bodies) {
+    try {
+      parts.push_back(build_mesh(part_of(soup_, body_of_polygon_, body), case_.metres_per_unit).mesh);
+    } catch (const InputError&) {
+      continue;  // no facet of it has an area
     }
-    std::set<Pair> crossing;
-    for (std::size_t i = 0; i < posed.size(); ++i)
-      for (std::size_t j = i + 1; j < posed.size(); ++j) {
-        if (glm::any(glm::greaterThan(boxes[i].low, boxes[j].high)) || glm::any(glm::greaterThan(boxes[j].low, boxes[i].high)))
-          continue;
-        const std::array both{posed[i], posed[j]};
-        const JoinedMesh joined = join_meshes(both);
-        const auto cross = [&](std::uint32_t a, std::uint32_t b) {
-          return joined.triangle_part[a] != joined.triangle_part[b] &&
-                 !are_apart(joined.mesh.corners(a), joined.mesh.corners(b), 0.0);
-        };
-        if (!TriangleTree(joined.mesh).close_pairs(0.0, cross).empty()) crossing.insert({i, j});
-      }
-    return crossing;
-  };
-  const std::set<Pair> in_file = crossing_at(std::vector<Pose>(parts.size()));
-  std::map<Pair, std::pair<double, double>> meeting;  // first and last time
-  for (const double time : times) {
-    std::vector<Pose> poses;
-    for (const std::size_t body : numbers) poses.push_back(pose_of(motion_, body, time));
-    for (const Pair& pair : crossing_at(poses))
-      if (!in_file.contains(pair)) meeting.try_emplace(pair, time, time).first->second.second = time;
+    for (dvec3& vertex : parts.back().vertices) vertex += parts.back().center;
+    numbers.push_back(body);
   }
+  using Pair = std::pair<std::size_t, std::size_t>;
+  const auto crossing = [&](const std::vector<TriangleMesh>& posed) {
+    std::set<Pair> pairs;
+    for (std::size_t i = 0; i < posed.size(); ++i)
+      for (std::size_t j = i + 1; j < posed.size(); ++j)
+        if (carried_by(motion_, numbers[i]) != carried_by(motion_, numbers[j]) && cross(posed[i], posed[j])) pairs.insert({i, j});
+    return pairs;
+  };
+  const std::set<Pair> in_file = crossing(parts);
+  std::vector<std::set<Pair>> found(times.size());
+  tbb::parallel_for(std::size_t{0}, times.size(), [&](std::size_t t) {
+    std::vector<TriangleMesh> posed = parts;
+    for (std::size_t i = 0; i < posed.size(); ++i) {
+      const Pose pose = pose_of(motion_, numbers[i], times[t]);
+      for (dvec3& vertex : posed[i].vertices) vertex = pose(vertex);
+    }
+    found[t] = crossing(posed);
+  });
+  std::map<Pair, std::pair<double, double>> meeting;  // first and last time
+  for (std::size_t t = 0; t < times.size(); ++t)
+    for (const Pair& pair : found[t])
+      if (!in_file.contains(pair)) meeting.try_emplace(pair, times[t], times[t]).first->second.second = times[t];
   std::vector<std::string> sentences;
   for (const auto& [pair, when] : meeting)
     sentences.push_back(

@@ -1,10 +1,23 @@
 // The target of a case that moves, at whatever time.
 #pragma once
 
+#include <fmt/format.h>
+
 #include "case/data/case.h"
+#include "core/error.h"
 #include "mesh/load.h"
 
 namespace raytube {
+
+/// Does what it is told at a time [s], which an InputError gets behind its sentence.
+template <class Action>
+auto saying_when(double time, const Action& action) {
+  try {
+    return action();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} (at {:.9g} s)", error.what(), time));
+  }
+}
 
 /// Polygons of a case and the body that each of them is part of. At every time the mesh is mended as if its file had the bodies
 /// where they are then: what touches is welded, what comes apart is not.

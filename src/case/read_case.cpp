@@ -221,8 +221,8 @@ Case resolved(const CaseValue& root, const std::filesystem::path& file, const Lo
   c.edge_keys = written_keys(root.find("edges"));
   check_material_edges(root, c);
   read_radar(root, c);
-  read_ground(root, c);
   read_motion(root, c);
+  read_ground(root, c);
   read_output(root, c);
   const CaseValue* title = root.find("title");
   c.title = title ? read_text(*title, "title") : name_of_mesh(c.mesh_files.front());

@@ -26,10 +26,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double nothing_said = std::numeric_limits<double>::infinity();
-constexpr double bytes_per_thread = 4e6;   // stacks, buffers of the allocator, of tiles and of Embree
-constexpr double journal_bytes = 6e6;      // looks that wait to be kept, and their records
-constexpr double bytes_per_cell = 80.0;    // of an image: its sum, and a little for its pictures
-constexpr double bytes_per_angle = 100.0;  // of a case: the value, and what run.json says of it
+constexpr double bytes_per_thread = 4e6;       // stacks, buffers of the allocator, of tiles and of Embree
+constexpr double bytes_per_triangle = 1000.0;  // of a target and its plan
+constexpr double journal_bytes = 6e6;          // looks that wait to be kept, and their records
+constexpr double bytes_per_cell = 80.0;        // of an image: its sum, and a little for its pictures
+constexpr double bytes_per_angle = 100.0;      // of a case: the value, and what run.json says of it
 
 // The number behind a word in a file of "word number" lines.
 double number_after(const fs::path& file, const std::string& word) {
@@ -109,6 +110,10 @@ std::vector<MemoryPart> parts_of(const SolvePlan& plan, const Case& c) {
   parts.push_back({"threads", MemoryOf::looks, plan.threads * bytes_per_thread});
   parts.push_back({"program and target", MemoryOf::program, held_now().resident});
   parts.push_back({"journal", MemoryOf::program, journal_bytes});
+  if (c.motion && plan.sweep.looks.size() < c.sweep.looks.size())  // times of a case that moves, side by side
+    parts.push_back({"targets of other times", MemoryOf::looks,
+                     (std::min<double>(plan.threads, static_cast<double>(c.motion->times())) - 1.0) * bytes_per_triangle *
+                         static_cast<double>(plan.target.mesh.triangles.size())});
   parts.push_back({"lists of the case", MemoryOf::program, values * bytes_per_angle});
   return parts;
 }

@@ -73,11 +73,14 @@ SharedItems<SweepResult> pulses_of(const Case& c, const MovingTarget& target, in
   return {pulse_items(c), threads,
           [&c, &target, within](std::size_t pulse, Progress& progress, double share) {
             const Case then = case_of_pulse(c, pulse);
-            const Target posed(target.at(c.sweep.times[pulse * looks_of_pulse(c)]).mesh, then.wedges);
+            const double time = c.sweep.times[pulse * looks_of_pulse(c)];
+            const Target posed(target.at(time).mesh, then.wedges);
             double told = 0.0;
-            SweepResult result = solve(plan_of_case(posed, then, within, true), [&](double done) {
-              progress.add(share * std::max(0.0, done - std::exchange(told, std::max(told, done))));
-              return true;
+            SweepResult result = saying_when(time, [&] {
+              return solve(plan_of_case(posed, then, within, true), [&](double done) {
+                progress.add(share * std::max(0.0, done - std::exchange(told, std::max(told, done))));
+                return true;
+              });
             });
             stop_if_cancelled();
             progress.add(share * (1.0 - told));
@@ -97,7 +100,10 @@ SharedItems<SweepResult> pulses_of(const Case& c, const MovingTarget& target, in
 
 bool is_one_plan(const Case& c, const MovingTarget& target) {
   if (!target.moves_as_one()) return false;
-  return target.stands() || (!c.ground && std::ranges::all_of(c.sweep.looks, &Look::far));
+  if (target.stands()) return true;
+  const auto turned = [&](double time) { return turns(target.pose(time)); };
+  if (any_rough(c.sweep.materials) && std::ranges::any_of(c.sweep.times, turned)) return false;
+  return !c.ground && c.edges.method != EdgeMethod::utd && std::ranges::all_of(c.sweep.looks, &Look::far);
 }
 
 Case case_of_pulse(const Case& c, std::size_t pulse) {
@@ -154,10 +160,6 @@ void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& r
       refer_error(result.error[row]), refer_error(result.model[row]);
       for (ModelPart& part : result.model_parts)
         if (!part.rows.empty()) refer_error(part.rows[row]);
-      if (result.incoherent.empty() || !turns(pose)) continue;
-      const std::array<double, 2> sigma = result.incoherent[row];
-      for (int q = 0; q < 2; ++q)
-        result.incoherent[row][q] = transmit[0][q] * transmit[0][q] * sigma[0] + transmit[1][q] * transmit[1][q] * sigma[1];
     }
   }
 }

@@ -11,7 +11,8 @@
 namespace raytube {
 
 /// Whether one plan solves every time: all of the target moves as one, and what it is seen from turns instead. That takes
-/// antennas at infinity and no ground, or a target that stands. Else each time has a target of its own.
+/// antennas at infinity (those of edges.method = "utd" are none), no ground, and no turn of rough surfaces, of whose incoherent
+/// power each polarisation alone is known; or a target that stands. Else each time has a target of its own.
 bool is_one_plan(const Case& c, const MovingTarget& target);
 
 /// What one plan solves, as a case without motion: all looks of all times as the body sees them, or those of the first time.

@@ -1,6 +1,7 @@
 #include "jobs/retrace.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -230,77 +231,113 @@ Case traced_case(const Case& c, const std::vector<TracedInterval>& intervals) {
   return some;
 }
 
+Case computed_case(const Case& c, const MovingTarget& target) {
+  return c.motion->retrace ? c : traced_case(c, traced_intervals(c, target));
+}
+
+namespace {
+
+// Squares of S at checked times, and of how far off it would have been there.
+struct Checked {
+  double squares = 0.0, wrong = 0.0;
+};
+
+// The rows of one look and frequency at the times that were not traced, in all columns.
+class Between {
+ public:
+  Between(const TracedInterval& interval, std::vector<std::size_t> others, const std::vector<char>& is_traced)
+      : interval_(interval), others_(std::move(others)), is_traced_(is_traced) {}
+
+  const std::vector<std::size_t>& others() const { return others_; }  // pulses that are not fitted
+
+  Checked find(const Matrix& basis, const std::function<std::size_t(std::size_t)>& row_of, SweepResult& all) const {
+    const auto at_pulses = [&](const std::vector<std::size_t>& pulses) {
+      Matrix rows(static_cast<Eigen::Index>(pulses.size()), basis.cols());
+      for (std::size_t i = 0; i < pulses.size(); ++i)
+        rows.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(pulses[i] - interval_.begin));
+      return rows;
+    };
+    const Eigen::ColPivHouseholderQR<Matrix> known(at_pulses(interval_.fitted));
+    const Matrix unknown = at_pulses(others_);
+    Checked checked;
+    visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) {
+      Matrix values(static_cast<Eigen::Index>(interval_.fitted.size()), 4);
+      for (std::size_t i = 0; i < interval_.fitted.size(); ++i)
+        for (int channel = 0; channel < 4; ++channel)
+          values(static_cast<Eigen::Index>(i), channel) = rows[row_of(interval_.fitted[i])].at(channel / 2, channel % 2);
+      const Matrix between = unknown * known.solve(values);
+      for (std::size_t i = 0; i < others_.size(); ++i) {
+        ScatteringMatrix s;
+        for (int channel = 0; channel < 4; ++channel)
+          s.at(channel / 2, channel % 2) = between(static_cast<Eigen::Index>(i), channel);
+        ScatteringMatrix& row = rows[row_of(others_[i])];
+        if (!is_traced_[others_[i]])
+          row = s;
+        else if (&rows == &all.total)
+          checked.wrong += std::norm(frobenius_norm(s - row)), checked.squares += std::norm(frobenius_norm(row));
+      }
+    });
+    const double off = std::sqrt(0.25 * checked.wrong / static_cast<double>(interval_.checked.size()));
+    for (const std::size_t pulse : others_)
+      if (!is_traced_[pulse])
+        for (std::array<double, 2>& received : all.error[row_of(pulse)])
+          for (double& error : received) error += off;
+    return checked;
+  }
+
+ private:
+  const TracedInterval& interval_;
+  std::vector<std::size_t> others_;
+  const std::vector<char>& is_traced_;  // [pulse]
+};
+
+}  // namespace
+
 SweepResult with_all_times(const Case& c, const MovingTarget& target, const std::vector<TracedInterval>& intervals,
                            const SweepResult& traced_result) {
   const Times times(c, target);
   const Sweep& sweep = c.sweep;
-  const std::size_t frequencies = sweep.frequencies.size(), per_pulse = times.looks() * frequencies;
-  std::vector<std::size_t> source(sweep.rows());   // [row] that of the traced time
+  const std::size_t looks = times.looks(), frequencies = sweep.frequencies.size(), per_pulse = looks * frequencies;
+  std::vector<std::size_t> pulses;                 // that were traced
   std::vector<char> is_traced(c.motion->times());  // [pulse]
-  for (std::size_t pulse = 0, slot = 0, interval = 0; pulse < is_traced.size(); ++pulse) {
-    if (pulse == intervals[interval].end) ++interval;
-    const std::vector<std::size_t> own = traced_pulses(intervals[interval]);
-    is_traced[pulse] = std::ranges::binary_search(own, pulse);
-    if (is_traced[pulse] && pulse > 0) ++slot;
-    for (std::size_t row = 0; row < per_pulse; ++row) source[pulse * per_pulse + row] = slot * per_pulse + row;
+  for (const TracedInterval& interval : intervals)
+    for (const std::size_t pulse : traced_pulses(interval)) pulses.push_back(pulse), is_traced[pulse] = 1;
+  std::vector<std::size_t> source(sweep.rows());  // [row] that of the traced time before
+  for (std::size_t row = 0; row < source.size(); ++row) {
+    const auto next = std::ranges::upper_bound(pulses, row / per_pulse);
+    source[row] = static_cast<std::size_t>(next - pulses.begin() - 1) * per_pulse + row % per_pulse;
   }
   SweepResult all = traced_result;
   visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) { spread(source, rows); });
-  spread(source, all.error), spread(source, all.model), spread(source, all.incoherent);
+  spread(source, all.error), spread(source, all.model);
+  all.incoherent.clear();
   for (ModelPart& part : all.model_parts) spread(source, part.rows);
-  double squares = 0.0, wrong = 0.0;
-  std::uint64_t found = 0;
+  for (LostRay& ray : all.statistics.first_lost_rays) ray.look = pulses[ray.look / looks] * looks + ray.look % looks;
+  for (BeyondBound& beyond : all.statistics.beyond_bound)
+    beyond.worst = pulses[beyond.worst / per_pulse] * per_pulse + beyond.worst % per_pulse;
+  Checked sum;
   for (const TracedInterval& interval : intervals) {
     if (interval.fitted.size() == interval.end - interval.begin) continue;
     const std::vector<Group> groups = times.groups(interval.begin, interval.end);
     std::vector<std::size_t> others;
     for (std::size_t pulse = interval.begin; pulse < interval.end; ++pulse)
       if (!std::ranges::binary_search(interval.fitted, pulse)) others.push_back(pulse);
-    found += others.size() - interval.checked.size();
-    for (std::size_t look = 0; look < times.looks(); ++look)
-      for (std::size_t f = 0; f < frequencies; ++f) {
-        const auto row_of = [&](std::size_t pulse) { return pulse * per_pulse + look * frequencies + f; };
-        const double k = wavenumber(sweep.frequencies[f]);
-        const Matrix basis = basis_of(times, interval.begin, interval.end, groups, look, k);
-        const auto at_pulses = [&](const std::vector<std::size_t>& pulses) {
-          Matrix rows(static_cast<Eigen::Index>(pulses.size()), basis.cols());
-          for (std::size_t i = 0; i < pulses.size(); ++i)
-            rows.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(pulses[i] - interval.begin));
-          return rows;
-        };
-        const Eigen::ColPivHouseholderQR<Matrix> known(at_pulses(interval.fitted));
-        const Matrix unknown = at_pulses(others);
-        double checks = 0.0;
-        visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) {
-          Matrix values(static_cast<Eigen::Index>(interval.fitted.size()), 4);
-          for (std::size_t i = 0; i < interval.fitted.size(); ++i)
-            for (int channel = 0; channel < 4; ++channel)
-              values(static_cast<Eigen::Index>(i), channel) = rows[row_of(interval.fitted[i])].at(channel / 2, channel % 2);
-          const Matrix between = unknown * known.solve(values);
-          for (std::size_t i = 0; i < others.size(); ++i) {
-            ScatteringMatrix s;
-            for (int channel = 0; channel < 4; ++channel)
-              s.at(channel / 2, channel % 2) = between(static_cast<Eigen::Index>(i), channel);
-            ScatteringMatrix& row = rows[row_of(others[i])];
-            if (!is_traced[others[i]])
-              row = s;
-            else if (&rows == &all.total)
-              checks += std::norm(frobenius_norm(s - row)), squares += std::norm(frobenius_norm(row));
-          }
-        });
-        wrong += checks;
-        const double off = std::sqrt(0.25 * checks / static_cast<double>(interval.checked.size()));
-        for (const std::size_t pulse : others)
-          if (!is_traced[pulse])
-            for (std::array<double, 2>& received : all.error[row_of(pulse)])
-              for (double& error : received) error += off;
-      }
+    const Between between(interval, std::move(others), is_traced);
+    std::vector<Checked> checked(per_pulse);
+    tbb::parallel_for(std::size_t{0}, per_pulse, [&](std::size_t i) {
+      const double k = wavenumber(sweep.frequencies[i % frequencies]);
+      const Matrix basis = basis_of(times, interval.begin, interval.end, groups, i / frequencies, k);
+      checked[i] = between.find(
+          basis, [&](std::size_t pulse) { return pulse * per_pulse + i; }, all);
+    });
+    for (const Checked& each : checked) sum.squares += each.squares, sum.wrong += each.wrong;
   }
-  if (found > 0)
+  put({"times_traced", {}, pulses.size()}, all.statistics.counts);
+  if (const std::size_t found = is_traced.size() - pulses.size(); found > 0)
     all.statistics.skipped.push_back({"times",
                                       fmt::format("motion.retrace is \"auto\": S at these is found between those that were; "
                                                   "where it was checked it was off by {:.2g} of S",
-                                                  squares > 0.0 ? std::sqrt(wrong / squares) : 0.0),
+                                                  sum.squares > 0.0 ? std::sqrt(sum.wrong / sum.squares) : 0.0),
                                       found});
   return all;
 }

@@ -27,6 +27,9 @@ std::vector<TracedInterval> traced_intervals(const Case& c, const MovingTarget& 
 /// The case at the times that are traced alone.
 Case traced_case(const Case& c, const std::vector<TracedInterval>& intervals);
 
+/// The same for any case that moves: all of its times, unless motion.retrace = "auto".
+Case computed_case(const Case& c, const MovingTarget& target);
+
 /// All rows of the case, from those of the traced times. Where there are both, what was computed stays; the others are told in
 /// `skipped`, with how far off the checked times would have been; by as much their errors grow.
 SweepResult with_all_times(const Case& c, const MovingTarget& target, const std::vector<TracedInterval>& intervals,

@@ -72,9 +72,9 @@ void solve_shard_of_case(const PlannedCase& planned, const Shard& shard, const s
 
 void help_to_solve_case(const Case& c, const Target& target, int threads, bool keep_parts, WorkTeam& team,
                         const std::function<bool(double)>& progress, const std::shared_ptr<const MovingTarget>& moving) {
-  const Case traced = moving && !c.motion->retrace ? traced_case(c, traced_intervals(c, *moving)) : c;
-  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(traced, *moving, threads, team, progress);
-  const Case part = moving ? case_of_plan(traced, *moving) : c;
+  const Case computed = moving ? computed_case(c, *moving) : c;
+  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(computed, *moving, threads, team, progress);
+  const Case part = moving ? case_of_plan(computed, *moving) : c;
   help_to_solve(plan_of_case(target, part, threads, keep_parts), team, progress);
 }
 

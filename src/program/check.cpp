@@ -12,6 +12,7 @@
 #include "jobs/check_report.h"
 #include "jobs/check_text.h"
 #include "jobs/memory.h"
+#include "jobs/retrace.h"
 #include "jobs/solvable.h"
 #include "output/tables/wedges_csv.h"
 #include "output/vtk/wedges_vtp.h"
@@ -71,7 +72,7 @@ void check_case(const CheckRequest& asked) {
   LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
   const Target target(std::move(loaded.mesh), c.wedges);
   const int threads = asked.threads > 0 ? asked.threads : all_threads();
-  const Case part = moving ? case_of_plan(c, *moving) : c;
+  const Case part = moving ? case_of_plan(computed_case(c, *moving), *moving) : c;
   const SolvePlan plan = plan_of_case(target, part, threads, false);
   Json data;
   const auto add = [&](const Json& section) {

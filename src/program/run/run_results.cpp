@@ -35,7 +35,7 @@ SweepResult solve(const RunTask& task, LookJournal& journal) {
   Manifest& manifest = task.prepared.manifest;
   manifest.looks_resumed = task.merged ? task.merged->count : journal.resumed();
   const std::size_t looks = task.prepared.planned->items();
-  const std::string work = fmt::format("solving {} at {} on {}", count_text(looks, "look"),
+  const std::string work = fmt::format("solving {} at {} on {}", count_text(looks, task.prepared.planned->pulse_by_pulse() ? "time" : "look"),
                                        count_text(plan.sweep.frequencies.size(), "frequency", "frequencies"),
                                        count_text(static_cast<std::uint64_t>(manifest.threads), "thread"));
   ProgressBar bar(task.asked.work.quiet, work, static_cast<double>(manifest.looks_resumed) / static_cast<double>(looks));
