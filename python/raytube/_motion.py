@@ -100,20 +100,22 @@ class Motion(dict[str, Any]):
         self["bodies"][name] = {key: value for key, value in keys.items() if value is not None}
         return self
 
-    def radar(self, velocity: Any) -> Motion:
+    def radar(self, velocity: Any, aim_moves: bool = False) -> Motion:
         """Lets the antennas move, whose places at the reference time `solve` is given as ``radar={"position_m": ...}``.
 
         Parameters
         ----------
         velocity : sequence of float
-            Steady velocity [m/s]. What the antennas are aimed at stands.
+            Steady velocity [m/s].
+        aim_moves : bool
+            What the antennas are aimed at moves with them; else it stands.
 
         Returns
         -------
         Motion
             This one.
         """
-        self["radar"] = {"velocity_m_per_s": _listed(velocity, "velocity")}
+        self["radar"] = {"velocity_m_per_s": _listed(velocity, "velocity"), "aim_moves": _arguments.flag(aim_moves, "aim_moves")}
         return self
 
 

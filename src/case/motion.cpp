@@ -200,7 +200,7 @@ void check_parts(const CaseValue& section, const Motion& motion) {
   }
 }
 
-// Where the antennas move. They keep the aim of the case.
+// Where the antennas move.
 BodyMotion read_track(const CaseValue& section, const CaseValue& root, const Case& c) {
   const CaseValue *velocity = section.find("velocity_m_per_s"), *track = section.find("track_csv");
   if (!has_positions(root))
@@ -295,15 +295,19 @@ void read_motion(const CaseValue& root, Case& c) {
     reject(*images, {section}, "output.image_look needs a scene that stands; remove it, or [motion]");
   check_rows(*section, static_cast<double>(c.sweep.looks.size()) * static_cast<double>(c.sweep.times.size()),
              c.sweep.frequencies.size());
-  if (const CaseValue* radar = section->find("radar")) choice.radar = read_track(*radar, root, c);
+  if (const CaseValue* radar = section->find("radar")) {
+    choice.radar = read_track(*radar, root, c);
+    if (const CaseValue* aim = radar->find("aim_moves")) choice.aim_moves = read_flag(*aim, "motion.radar.aim_moves");
+  }
   const std::vector<Look> looks = std::move(c.sweep.looks);
   const std::vector<double> times = std::move(c.sweep.times);
   c.sweep.looks.clear(), c.sweep.times.clear();
   for (const double time : times) {
     const dvec3 way = choice.radar ? displacement(*choice.radar, time, choice.motion.reference) : dvec3(0.0);
     for (const Look& look : looks) {
-      c.sweep.looks.push_back(choice.radar ? look_between(look.transmitter().point() + way, look.receiver().point() + way)
-                                           : look);
+      Look& then = c.sweep.looks.emplace_back(look);
+      if (choice.radar) then = look_between(look.transmitter().point() + way, look.receiver().point() + way);
+      if (choice.aim_moves) then.aim_way = way;
       c.sweep.times.push_back(time);
     }
   }

@@ -123,6 +123,7 @@ Json motion_json(const MotionChoice& choice) {
   json["reference_s"] = choice.motion.reference;
   if (choice.radar && choice.radar->poses_csv.empty()) json["radar"]["velocity_m_per_s"] = vector_json(choice.radar->velocity);
   if (choice.radar && !choice.radar->poses_csv.empty()) json["radar"]["track_csv"] = choice.radar->poses_csv;
+  if (choice.radar) json["radar"]["aim_moves"] = choice.aim_moves;
   for (const BodyMotion& body : choice.motion.bodies) json["bodies"][body.name] = body_json(body, choice.motion);
   return json;
 }

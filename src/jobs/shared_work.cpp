@@ -23,9 +23,9 @@ std::string looks_text(const Sweep& sweep) {
   ByteWriter writer;
   for (const Look& look : sweep.looks) {  // its own bytes have gaps
     const double none = std::numeric_limits<double>::infinity();
-    for (const double value :
-         {look.transmit.theta, look.transmit.phi, look.receive.theta, look.receive.phi, look.transmit_range, look.receive_range,
-          look.turn, look.transmit_mirror.value_or(none), look.receive_mirror.value_or(none)})
+    for (const double value : {look.transmit.theta, look.transmit.phi, look.receive.theta, look.receive.phi, look.transmit_range,
+                               look.receive_range, look.turn, look.aim_way.x, look.aim_way.y, look.aim_way.z,
+                               look.transmit_mirror.value_or(none), look.receive_mirror.value_or(none)})
       writer(value);
   }
   writer(sweep.frequencies);

@@ -24,6 +24,8 @@ struct Look {
   /// Height z [m] of the plane that the transmitter is mirrored in, where it is the mirror image of one: AntennaPosition.
   std::optional<double> transmit_mirror{};
   std::optional<double> receive_mirror{};  // of the receiver
+  /// By which what the antennas are aimed at has moved with them [m].
+  dvec3 aim_way{0.0};
 
   /// Both are at infinity.
   bool far() const { return std::isinf(transmit_range); }
@@ -47,9 +49,11 @@ inline dvec3 seen_from_turntable(const dvec3& point, double turn) {
 struct AntennaPair {
   /// `mesh_center` in the mesh's own coordinates [m].
   AntennaPair(const Look& look, const Radar& radar, const dvec3& mesh_center)
-      : transmit(look.transmitter(), -mesh_center, seen_from_turntable(radar.aim, look.turn) - mesh_center, radar.pattern),
+      : transmit(look.transmitter(), -mesh_center, seen_from_turntable(radar.aim, look.turn) + look.aim_way - mesh_center,
+                 radar.pattern),
         receive(look.receiver(), -mesh_center,
-                seen_from_turntable(radar.receive_aim.value_or(radar.aim), look.turn) - mesh_center, radar.pattern) {}
+                seen_from_turntable(radar.receive_aim.value_or(radar.aim), look.turn) + look.aim_way - mesh_center,
+                radar.pattern) {}
   Antenna transmit, receive;  // equal for a monostatic look
 };
 

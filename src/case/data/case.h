@@ -88,6 +88,7 @@ struct MotionChoice {
   std::vector<double> times_s;             // listed
   bool retrace = true;                     // every time is traced; else so many as their motion asks for
   std::optional<BodyMotion> radar;         // of the antennas, if they move: its velocity and its places
+  bool aim_moves = false;                  // with the antennas; else it stands
   std::string location;                    // of the section: file and line, or option
   Motion motion;                           // bodies; their names in the mesh are not checked yet
 

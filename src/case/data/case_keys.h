@@ -20,7 +20,7 @@ inline constexpr std::string_view shaped_keys =
     "radar.receive_position_m radar.aim_m radar.receive_aim_m radar.turntable_deg radar.transmit_power_dbm "
     "radar.gain_dbi radar.beamwidth_deg radar.pattern_csv ground.height_m ground.material "
     "motion.pulses motion.times_s motion.reference_s motion.retrace motion.bodies "
-    "motion.radar.velocity_m_per_s motion.radar.track_csv";
+    "motion.radar.velocity_m_per_s motion.radar.track_csv motion.radar.aim_moves";
 
 /// visit(key, member) for every other key; a Case or a const one.
 template <class C, class Visit>

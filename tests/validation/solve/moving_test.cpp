@@ -196,6 +196,20 @@ TEST(Moving, WhatIsFoundBetweenTracedTimesTellsItsError) {
   EXPECT_GT(told->count, 200u);
 }
 
+// An antenna that has moved on is the one that stands there, with an aim that stands or one that has moved as far.
+TEST(Moving, AntennasThatMoveAreThoseThatStandThere) {
+  const auto radar = [](const std::string& place, const std::string& aim, const std::string& more) {
+    return case_text("[radar]\nbeamwidth_deg = 5.0\nposition_m = " + place + "\naim_m = " + aim + "\n" + more, "");
+  };
+  const std::string at = "[motion]\ntimes_s = 0.5\n[motion.radar]\nvelocity_m_per_s = [0.0, 1.0, -0.5]\n",
+                    start = "[4.0, 1.0, 1.0]", there = "[4.0, 1.5, 0.75]";
+  const auto rows = [&](const std::string& text) { return solved(one_body(), text).result.total; };
+  const auto standing = rows(radar(there, "[0.0, 0.1, 0.0]", "")), strip = rows(radar(there, "[0.0, 0.6, -0.25]", ""));
+  EXPECT_TRUE(same_bits(rows(radar(start, "[0.0, 0.1, 0.0]", at)), standing));
+  EXPECT_TRUE(same_bits(rows(radar(start, "[0.0, 0.1, 0.0]", at + "aim_moves = true\n")), strip));
+  EXPECT_FALSE(same_bits(standing, strip));
+}
+
 TEST(Moving, BodiesThatRunIntoOneAnotherAreTold) {
   const std::string mesh = three_bodies([](std::size_t) { return Pose(); });
   const std::string towards =
