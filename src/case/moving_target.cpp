@@ -138,6 +138,13 @@ LoadedMesh MovingTarget::at(double time) const {
 std::vector<std::string> MovingTarget::warnings(const Sweep& sweep) const {
   std::vector<double> times = sweep.times;
   times.erase(std::unique(times.begin(), times.end()), times.end());
+  if (case_.ground && !stands()) {
+    PolygonSoup moved = soup_;
+    for (const double time : times) {
+      moved.points = points_at(time);
+      saying_when(time, [&] { stand_on_ground(moved, case_); });
+    }
+  }
   std::vector<std::string> sentences;
   if (!as_one_) sentences = meetings(times);
   if (const std::string sentence = ambiguity(sweep); !sentence.empty()) sentences.push_back(sentence);

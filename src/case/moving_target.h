@@ -50,7 +50,8 @@ class MovingTarget {
 
   /// A sentence for each two bodies that are apart in the file and run into one another at one of these times; one that tells how
   /// short the interval would have to be, if between two neighbours among them the path over some place changes by more than half
-  /// a wavelength, so that its Doppler frequency is ambiguous. Empty: neither.
+  /// a wavelength, so that its Doppler frequency is ambiguous. Empty: neither. Throws InputError, with the time, for a body below
+  /// the ground.
   std::vector<std::string> warnings(const Sweep& sweep) const;
 
  private:

@@ -94,22 +94,6 @@ double ground_in_units(const Case& c) { return c.ground->height / c.metres_per_u
 
 constexpr double rounding_of_files = 1e-6;  // of the target's height: single precision, and some
 
-// What touches the ground but for the rounding of files lies on it, so that it is one with its mirror image.
-void stand_on_ground(PolygonSoup& soup, const Case& c) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const std::vector<std::uint32_t>& polygon : soup.polygons)
-    for (const std::uint32_t corner : polygon)
-      low = std::min(low, soup.points[corner].z), high = std::max(high, soup.points[corner].z);
-  const double ground = ground_in_units(c), close = rounding_of_files * std::max(high - low, std::abs(ground));
-  if (low < ground - close)
-    throw InputError(
-        fmt::format("{}: the target reaches down to z = {:.6g} m, below the ground at {:.6g} m; lower "
-                    "ground.height_m, or cut the mesh there",
-                    c.file.string(), low * c.metres_per_unit, c.ground->height));
-  for (dvec3& point : soup.points)
-    if (std::abs(point.z - ground) <= close) point.z = ground;
-}
-
 // Names take memory, and are of use to parts alone.
 PolygonSoup read_named(const Case& c, std::size_t file, bool named) {
   PolygonSoup soup = read_polygon_soup(c.mesh_files[file], c.metres_per_unit);
@@ -140,6 +124,22 @@ void assign_materials(PolygonSoup& soup, const Case& c) {
   for (const auto& [first, last, material, location] : c.assignment.facets)
     std::fill(soup.materials.begin() + first, soup.materials.begin() + last + 1, number_of(material));
   if (numbers.empty()) soup.materials.clear();
+}
+
+// What touches the ground but for the rounding of files lies on it, so that it is one with its mirror image.
+void stand_on_ground(PolygonSoup& soup, const Case& c) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const std::vector<std::uint32_t>& polygon : soup.polygons)
+    for (const std::uint32_t corner : polygon)
+      low = std::min(low, soup.points[corner].z), high = std::max(high, soup.points[corner].z);
+  const double ground = ground_in_units(c), close = rounding_of_files * std::max(high - low, std::abs(ground));
+  if (low < ground - close)
+    throw InputError(
+        fmt::format("{}: the target reaches down to z = {:.6g} m, below the ground at {:.6g} m; lower "
+                    "ground.height_m, or cut the mesh there",
+                    c.file.string(), low * c.metres_per_unit, c.ground->height));
+  for (dvec3& point : soup.points)
+    if (std::abs(point.z - ground) <= close) point.z = ground;
 }
 
 void add_mirror_image(PolygonSoup& soup, const Case& c) {

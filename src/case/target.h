@@ -13,6 +13,9 @@ std::string mesh_names(const Case& c);
 /// a part or a facet that is not there, and for a polygon that goes by names of different materials.
 void assign_materials(PolygonSoup& soup, const Case& c);
 
+/// Puts what touches the ground of a case, but for rounding, on it. Throws InputError for a target that reaches below.
+void stand_on_ground(PolygonSoup& soup, const Case& c);
+
 /// Below the target of a case over perfect ground its mirror image, as a part of it; of others nothing. Throws InputError for a
 /// target that reaches below the ground of the case.
 void add_mirror_image(PolygonSoup& soup, const Case& c);

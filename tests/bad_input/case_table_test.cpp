@@ -354,6 +354,8 @@ std::vector<BadRow> motion_rows() {
              "motion.pulses.interval_s must be longer than what numbers as large as start_s tell apart"),
       motion("half_a_turn", body + "poses = [[0, 0, 0, 0, 1, 0, 0, 0], [1, 0, 0, 0, 0, 1, 0, 0]]\n",
              "is turned by more than 150 degrees against the pose before"),
+      motion("through_the_ground", pulses + "[motion.bodies.a]\nvelocity_m_per_s = [0, 0, -1]\n[ground]\nheight_m = -0.0025\n",
+             "below the ground at -0.0025 m; lower ground.height_m, or cut the mesh there (at 0.003 s)"),
       motion("times_fall", "times_s = [1, 0]\n", "motion.times_s must ascend"),
       motion("bodies_no_table", pulses + "bodies = 3\n", "motion.bodies must be a section; write [motion.bodies.NAME]"),
       motion("body_no_table", pulses + "bodies = { a = 3 }\n", "motion.bodies.a must be a section"),
