@@ -19,8 +19,7 @@ inline Solved solved(const std::string& mesh, const std::string& text, int threa
   const Scratch scratch;
   scratch.write("m.obj", mesh);
   Solved s{read_case(scratch.write("case.toml", text), {}), {}, {}};
-  const auto moving = s.c.motion ? std::make_shared<const MovingTarget>(read_target(s.c), s.c) : nullptr;
-  const LoadedMesh loaded = moving ? mesh_of_plan(s.c, *moving) : load_target(s.c);
+  const auto [moving, loaded] = load_target_of_plan(s.c);
   const Target target(loaded.mesh, s.c.wedges);
   const PlannedCase planned(s.c, target, loaded.report, target.mesh.vertices, threads, true, moving);
   Manifest manifest;

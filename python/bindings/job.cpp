@@ -63,8 +63,7 @@ auto beside_others(const Watch& watch, Ranks* ranks, const Work& work) {
 
 std::shared_ptr<const Job> Job::of_file(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   Case c = read_case(file, overrides);
-  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
-  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
+  auto [moving, loaded] = load_target_of_plan(c);
   std::vector<std::string> sha256 = sha256_of_meshes(c, loaded.report);
   auto built = std::make_shared<const BuiltTarget>(std::move(loaded.report), Target(std::move(loaded.mesh), c.wedges), moving);
   return std::make_shared<const Job>(std::move(c), std::move(sha256), std::move(built));
@@ -96,7 +95,7 @@ std::optional<StoredResult> Job::solve(int threads, bool parts, Watch& watch, Ra
 
 Json Job::check(int threads) const {
   const MovingTarget* const moving = built->moving.get();
-  const Case part = moving ? case_of_plan(computed_case(asked, *moving), *moving) : asked;
+  const Case part = case_of_plan(asked, moving);
   const SolvePlan plan = plan_of_case(built->target, part, threads_of(threads), false);
   Json data = check_data(asked, built->report, plan, moving);
   check_memory(plan, asked);

@@ -91,11 +91,11 @@ std::string name_of(const Motion& motion, std::size_t body) {
 
 }  // namespace
 
-MovingTarget::MovingTarget(PolygonSoup soup, const Case& c) : case_(c), motion_(c.motion->motion), soup_(std::move(soup)) {
+MovingTarget::MovingTarget(PolygonSoup soup, const Case& c) : case_(c), soup_(std::move(soup)) {
   case_.sweep.looks.clear(), case_.sweep.times.clear();
   body_of_polygon_ = bodies_of(soup_, *c.motion);
   std::set<std::size_t> movers;
-  for (const std::size_t body : body_of_polygon_) movers.insert(carried_by(motion_, body));
+  for (const std::size_t body : body_of_polygon_) movers.insert(carried_by(motion(), body));
   as_one_ = movers.size() == 1;
   if (as_one_)
     mover_ = *movers.begin();
@@ -107,7 +107,7 @@ std::vector<MovingTarget::RigidPart> MovingTarget::rigid_parts() const {
   std::map<std::size_t, Box> boxes;
   for (std::size_t i = 0; i < soup_.polygons.size(); ++i)
     for (const std::uint32_t corner : soup_.polygons[i])
-      boxes[carried_by(motion_, body_of_polygon_[i])].add(soup_.points[corner] * case_.metres_per_unit);
+      boxes[carried_by(motion(), body_of_polygon_[i])].add(soup_.points[corner] * case_.metres_per_unit);
   std::vector<RigidPart> parts;
   for (const auto& [mover, box] : boxes) parts.push_back({mover, box});
   return parts;
@@ -117,7 +117,7 @@ LoadedMesh MovingTarget::at_rest() const { return build_target(soup_, case_, mes
 
 std::vector<dvec3> MovingTarget::points_at(double time) const {
   std::map<std::size_t, Pose> poses;
-  for (std::size_t body = 0; body < motion_.bodies.size(); ++body) poses.emplace(body, pose_of(motion_, body, time));
+  for (std::size_t body = 0; body < motion().bodies.size(); ++body) poses.emplace(body, pose_of(motion(), body, time));
   std::vector<dvec3> points = soup_.points;
   const double unit = case_.metres_per_unit;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -199,7 +199,8 @@ std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times
     std::set<Pair> pairs;
     for (std::size_t i = 0; i < posed.size(); ++i)
       for (std::size_t j = i + 1; j < posed.size(); ++j)
-        if (carried_by(motion_, numbers[i]) != carried_by(motion_, numbers[j]) && cross(posed[i], posed[j])) pairs.insert({i, j});
+        if (carried_by(motion(), numbers[i]) != carried_by(motion(), numbers[j]) && cross(posed[i], posed[j]))
+          pairs.insert({i, j});
     return pairs;
   };
   const std::set<Pair> in_file = crossing(parts);
@@ -207,7 +208,7 @@ std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times
   tbb::parallel_for(std::size_t{0}, times.size(), [&](std::size_t t) {
     std::vector<TriangleMesh> posed = parts;
     for (std::size_t i = 0; i < posed.size(); ++i) {
-      const Pose pose = pose_of(motion_, numbers[i], times[t]);
+      const Pose pose = pose_of(motion(), numbers[i], times[t]);
       for (dvec3& vertex : posed[i].vertices) vertex = pose(vertex);
     }
     found[t] = crossing(posed);
@@ -221,7 +222,7 @@ std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times
     sentences.push_back(
         fmt::format("{}: {} and {} run into one another from {:.6g} s to {:.6g} s; look at times before, or change "
                     "their paths",
-                    case_.motion->location, name_of(motion_, numbers[pair.first]), name_of(motion_, numbers[pair.second]),
+                    case_.motion->location, name_of(motion(), numbers[pair.first]), name_of(motion(), numbers[pair.second]),
                     when.first, when.second));
   return sentences;
 }
@@ -230,7 +231,7 @@ std::vector<std::string> MovingTarget::meetings(const std::vector<double>& times
 std::string MovingTarget::ambiguity(const Sweep& sweep) const {
   const double shortest = wavelength(std::ranges::max(sweep.frequencies));
   const std::vector<RigidPart> parts = rigid_parts();
-  const std::size_t looks = case_.motion->times() > 0 ? sweep.looks.size() / case_.motion->times() : 0;
+  const std::size_t looks = sweep.looks.size() / case_.times();
   double largest = 0.0, interval = 0.0;
   std::size_t fastest = no_body;
   for (std::size_t now = looks, before = 0; now < sweep.looks.size(); ++now, ++before)
@@ -245,7 +246,7 @@ std::string MovingTarget::ambiguity(const Sweep& sweep) const {
   return fmt::format(
       "{}: between times {:.6g} s apart the path over {} changes by up to {:.3g} wavelengths, and beyond "
       "half of one Doppler frequencies are ambiguous; an interval of {:.3g} s would do",
-      case_.motion->location, interval, name_of(motion_, fastest), largest / shortest, interval * 0.5 * shortest / largest);
+      case_.motion->location, interval, name_of(motion(), fastest), largest / shortest, interval * 0.5 * shortest / largest);
 }
 
 }  // namespace raytube

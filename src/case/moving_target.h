@@ -32,7 +32,7 @@ class MovingTarget {
   /// Nothing of it moves at all.
   bool stands() const { return as_one_ && mover_ == no_body; }
   /// Where all of it is then, if it moves as one.
-  Pose pose(double time) const { return pose_of(motion_, mover_, time); }
+  Pose pose(double time) const { return pose_of(motion(), mover_, time); }
 
   /// As the file has it.
   LoadedMesh at_rest() const;
@@ -46,7 +46,7 @@ class MovingTarget {
   };
   std::vector<RigidPart> rigid_parts() const;
   /// Where the points of one are at a time, to where they are at rest.
-  Pose pose_of_part(const RigidPart& part, double time) const { return pose_of(motion_, part.mover, time); }
+  Pose pose_of_part(const RigidPart& part, double time) const { return pose_of(motion(), part.mover, time); }
 
   /// A sentence for each two bodies that are apart in the file and run into one another at one of these times; one that tells how
   /// short the interval would have to be, if between two neighbours among them the path over some place changes by more than half
@@ -55,12 +55,12 @@ class MovingTarget {
   std::vector<std::string> warnings(const Sweep& sweep) const;
 
  private:
+  const Motion& motion() const { return case_.motion->motion; }
   std::vector<dvec3> points_at(double time) const;
   std::vector<std::string> meetings(const std::vector<double>& times) const;
   std::string ambiguity(const Sweep& sweep) const;
 
-  Case case_;  // without looks
-  Motion motion_;
+  Case case_;                                 // without looks
   PolygonSoup soup_;                          // no point of it is part of two bodies
   std::vector<std::size_t> body_of_point_;    // [point] among the bodies; no_body: it stands
   std::vector<std::size_t> body_of_polygon_;  // [polygon] likewise

@@ -71,7 +71,7 @@ Json radar_json(const Case& c) {
 Json look_list_json(const Case& c) {
   Json json;
   const std::size_t turns = std::max<std::size_t>(c.radar.turntable_deg.size(), 1);
-  const std::size_t looks = c.sweep.looks.size() / (c.motion ? c.motion->times() : 1);
+  const std::size_t looks = c.looks_at_a_time();
   for (std::size_t i = 0; i < looks; i += turns) {
     const Look& look = c.sweep.looks[i];
     json["theta_deg"].push_back(decimal_degrees(look.transmit.theta));

@@ -19,4 +19,8 @@ SphericalBasis spherical_basis(const Direction& direction) {
           {-sin_phi, cos_phi, 0.0}};
 }
 
+Direction direction_of(const dvec3& point) {
+  return {std::atan2(std::hypot(point.x, point.y), point.z), std::atan2(point.y, point.x)};
+}
+
 }  // namespace raytube

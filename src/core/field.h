@@ -51,6 +51,9 @@ struct SphericalBasis {
 /// The triad of a direction, unit vectors.
 SphericalBasis spherical_basis(const Direction& direction);
 
+/// The direction from the origin towards a point.
+Direction direction_of(const dvec3& point);
+
 /// sin(x)/x, 1 at x = 0. Accurate to rounding for every finite x: sin(x) is exact to an ulp and x cancels.
 inline double sinc(double x) { return x == 0.0 ? 1.0 : std::sin(x) / x; }
 

@@ -239,7 +239,7 @@ double seconds_of_ranks(const SolvePlan& plan, const TimePrediction& time, int r
 }  // namespace
 
 std::size_t plans_of(const Case& c, const MovingTarget* moving) {
-  return moving && !is_one_plan(c, *moving) ? computed_case(c, *moving).motion->times() : 1;
+  return moving && !is_one_plan(c, *moving) ? computed_case(c, *moving).times() : 1;
 }
 
 Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving) {

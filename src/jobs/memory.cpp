@@ -112,7 +112,7 @@ std::vector<MemoryPart> parts_of(const SolvePlan& plan, const Case& c) {
   parts.push_back({"journal", MemoryOf::program, journal_bytes});
   if (c.motion && plan.sweep.looks.size() < c.sweep.looks.size())  // times of a case that moves, side by side
     parts.push_back({"targets of other times", MemoryOf::looks,
-                     (std::min<double>(plan.threads, static_cast<double>(c.motion->times())) - 1.0) * bytes_per_triangle *
+                     (std::min<double>(plan.threads, static_cast<double>(c.times())) - 1.0) * bytes_per_triangle *
                          static_cast<double>(plan.target.mesh.triangles.size())});
   parts.push_back({"lists of the case", MemoryOf::program, values * bytes_per_angle});
   return parts;

@@ -6,19 +6,18 @@
 #include <functional>
 #include <utility>
 
+#include "case/target.h"
 #include "core/bytes.h"
 #include "jobs/joined_results.h"
+#include "jobs/retrace.h"
 #include "jobs/solvable.h"
 #include "plan/phase_reference.h"
+#include "solve/rows.h"
 #include "solve/shared_items.h"
 
 namespace raytube {
 
 namespace {
-
-std::size_t looks_of_pulse(const Case& c) { return c.sweep.looks.size() / c.motion->times(); }
-
-Direction direction_towards(const dvec3& v) { return {std::atan2(std::hypot(v.x, v.y), v.z), std::atan2(v.y, v.x)}; }
 
 bool turns(const Pose& pose) { return pose.turn != dmat3(1.0); }
 
@@ -26,7 +25,7 @@ bool turns(const Pose& pose) { return pose.turn != dmat3(1.0); }
 Look seen_from(const Pose& pose, Look look) {
   if (!turns(pose)) return look;
   const bool monostatic = look.transmit == look.receive;
-  const auto turned = [&](const Direction& from) { return direction_towards(spherical_basis(from).radial * pose.turn); };
+  const auto turned = [&](const Direction& from) { return direction_of(spherical_basis(from).radial * pose.turn); };
   look.transmit = turned(look.transmit);
   look.receive = monostatic ? look.transmit : turned(look.receive);
   return look;
@@ -52,11 +51,18 @@ Row turned(const Row& body, const Basis& receive, const Basis& transmit, Factor 
   return antennas;
 }
 
-std::size_t pulse_items(const Case& c) { return c.motion->times(); }
+// A case that stands, and has no looks yet. Those of all times together may take more than all the rest of it.
+Case without_looks(const Case& c) {
+  Case rest = c;
+  rest.sweep.looks.clear(), rest.sweep.times.clear();
+  rest.motion.reset();
+  return rest;
+}
 
-void drop_parts(SweepResult& result) {
-  result.bounces.clear(), result.mechanisms.clear();
-  for (ModelPart& part : result.model_parts) part.rows.clear();
+Case with_looks_of_pulse(Case rest, const Case& c, std::size_t pulse) {
+  const auto first = c.sweep.looks.begin() + static_cast<std::ptrdiff_t>(pulse * c.looks_at_a_time());
+  rest.sweep.looks.assign(first, first + static_cast<std::ptrdiff_t>(c.looks_at_a_time()));
+  return rest;
 }
 
 std::string bytes_of(const SweepResult& result) {
@@ -68,12 +74,12 @@ std::string bytes_of(const SweepResult& result) {
 // Mechanisms are kept apart whether asked for or not, so that what is kept serves both.
 SharedItems<SweepResult> pulses_of(const Case& c, const MovingTarget& target, int threads) {
   const std::size_t all = static_cast<std::size_t>(threads > 0 ? threads : all_threads());
-  const int within = static_cast<int>(std::max<std::size_t>(1, all / pulse_items(c)));
-  const std::size_t rows = looks_of_pulse(c) * c.sweep.frequencies.size();
-  return {pulse_items(c), threads,
-          [&c, &target, within](std::size_t pulse, Progress& progress, double share) {
-            const Case then = case_of_pulse(c, pulse);
-            const double time = c.sweep.times[pulse * looks_of_pulse(c)];
+  const int within = static_cast<int>(std::max<std::size_t>(1, all / c.times()));
+  const std::size_t rows = c.looks_at_a_time() * c.sweep.frequencies.size();
+  return {c.times(), threads,
+          [&c, &target, within, without = without_looks(c)](std::size_t pulse, Progress& progress, double share) {
+            const Case then = with_looks_of_pulse(without, c, pulse);
+            const double time = c.sweep.times[pulse * c.looks_at_a_time()];
             const Target posed(target.at(time).mesh, then.wedges);
             double told = 0.0;
             SweepResult result = saying_when(time, [&] {
@@ -106,15 +112,7 @@ bool is_one_plan(const Case& c, const MovingTarget& target) {
   return !c.ground && c.edges.method != EdgeMethod::utd && std::ranges::all_of(c.sweep.looks, &Look::far);
 }
 
-Case case_of_pulse(const Case& c, std::size_t pulse) {
-  Case then = c;
-  const std::size_t looks = looks_of_pulse(c);
-  const auto first = c.sweep.looks.begin() + static_cast<std::ptrdiff_t>(pulse * looks);
-  then.sweep.looks.assign(first, first + static_cast<std::ptrdiff_t>(looks));
-  then.sweep.times.clear();
-  then.motion.reset();
-  return then;
-}
+Case case_of_pulse(const Case& c, std::size_t pulse) { return with_looks_of_pulse(without_looks(c), c, pulse); }
 
 Case case_of_plan(const Case& c, const MovingTarget& target) {
   if (!is_one_plan(c, target)) return case_of_pulse(c, 0);
@@ -126,8 +124,19 @@ Case case_of_plan(const Case& c, const MovingTarget& target) {
   return body;
 }
 
+Case case_of_plan(const Case& c, const MovingTarget* target) {
+  return target ? case_of_plan(computed_case(c, *target), *target) : c;
+}
+
 LoadedMesh mesh_of_plan(const Case& c, const MovingTarget& target) {
   return is_one_plan(c, target) ? target.at_rest() : target.at(c.sweep.times.front());
+}
+
+LoadedCaseTarget load_target_of_plan(const Case& c) {
+  if (!c.motion) return {nullptr, load_target(c)};
+  auto moving = std::make_shared<const MovingTarget>(read_target(c), c);
+  LoadedMesh loaded = mesh_of_plan(c, *moving);
+  return {std::move(moving), std::move(loaded)};
 }
 
 void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& result) {
@@ -167,30 +176,26 @@ void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& r
 SweepResult solve_pulses(const Case& c, const MovingTarget& target, int threads, bool keep_parts,
                          const std::function<bool(double)>& progress, const KeptLooks& kept, WorkTeam* team) {
   const auto start = std::chrono::steady_clock::now();
-  if (kept.begin) kept.begin(pulse_items(c));
-  std::vector<SweepResult> found(pulse_items(c));
+  if (kept.begin) kept.begin(c.times());
+  std::vector<SweepResult> found(c.times());
   compute_shared<SweepResult>(pulses_of(c, target, threads), {}, progress, kept, team,
                               [&](std::size_t pulse, const SweepResult& result) {
                                 found[pulse] = result;
                                 if (!keep_parts) drop_parts(found[pulse]);
                               });
-  SweepResult all = joined_results(std::move(found), looks_of_pulse(c));
+  SweepResult all = joined_results(std::move(found), c.looks_at_a_time());
   all.statistics.solve_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return all;
 }
 
 void solve_shard_of_pulses(const Case& c, const MovingTarget& target, const Shard& shard, int threads,
                            const std::function<bool(double)>& progress, const KeptLooks& kept, WorkTeam* team) {
-  const std::size_t own = shard.size(pulse_items(c));
-  if (kept.begin) kept.begin(own);
-  if (own > 0 || team) compute_shared<SweepResult>(pulses_of(c, target, threads), shard, progress, kept, team, {});
+  compute_shard(pulses_of(c, target, threads), shard, progress, kept, team);
 }
 
 void help_to_solve_pulses(const Case& c, const MovingTarget& target, int threads, WorkTeam& team,
                           const std::function<bool(double)>& progress) {
-  const KeptLooks given{
-      .begin = {}, .find = {}, .keep = [&team](std::size_t index, std::string bytes) { team.give(index, std::move(bytes)); }};
-  compute_shared<SweepResult>(pulses_of(c, target, threads), {}, progress, given, &team, {});
+  compute_for_leader(pulses_of(c, target, threads), team, progress);
 }
 
 }  // namespace raytube

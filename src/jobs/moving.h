@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "case/moving_target.h"
 #include "core/work_team.h"
@@ -18,8 +19,18 @@ bool is_one_plan(const Case& c, const MovingTarget& target);
 /// What one plan solves, as a case without motion: all looks of all times as the body sees them, or those of the first time.
 Case case_of_plan(const Case& c, const MovingTarget& target);
 
+/// The same of the times that are traced (jobs/retrace.h); of a case that stands, without `target`, that case.
+Case case_of_plan(const Case& c, const MovingTarget* target);
+
 /// The target of that case. Throws InputError.
 LoadedMesh mesh_of_plan(const Case& c, const MovingTarget& target);
+
+struct LoadedCaseTarget {
+  std::shared_ptr<const MovingTarget> moving;  // null: everything stands
+  LoadedMesh loaded;                           // of the plan
+};
+/// Reads the mesh files of any case. Throws InputError.
+LoadedCaseTarget load_target_of_plan(const Case& c);
 
 /// The case at one of its times, by number, without motion.
 Case case_of_pulse(const Case& c, std::size_t pulse);

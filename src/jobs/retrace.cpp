@@ -40,7 +40,7 @@ class Times {
  public:
   Times(const Case& c, const MovingTarget& target) : c_(c), target_(target), parts_(target.rigid_parts()) {}
 
-  std::size_t looks() const { return c_.sweep.looks.size() / c_.motion->times(); }  // of a pulse
+  std::size_t looks() const { return c_.looks_at_a_time(); }  // of a pulse
   const Look& look(std::size_t pulse, std::size_t look) const { return c_.sweep.looks[pulse * looks() + look]; }
   double time(std::size_t pulse) const { return c_.sweep.times[pulse * looks()]; }
 
@@ -211,13 +211,13 @@ void spread(const std::vector<std::size_t>& source, std::vector<Row>& rows) {
 
 std::vector<TracedInterval> traced_intervals(const Case& c, const MovingTarget& target) {
   std::vector<TracedInterval> intervals;
-  add_intervals(Times(c, target), 0, c.motion->times(), wavenumber(std::ranges::max(c.sweep.frequencies)), intervals);
+  add_intervals(Times(c, target), 0, c.times(), wavenumber(std::ranges::max(c.sweep.frequencies)), intervals);
   return intervals;
 }
 
 Case traced_case(const Case& c, const std::vector<TracedInterval>& intervals) {
   Case some = c;
-  const std::size_t looks = c.sweep.looks.size() / c.motion->times();
+  const std::size_t looks = c.looks_at_a_time();
   some.sweep.looks.clear(), some.sweep.times.clear();
   some.motion->pulses = 0, some.motion->times_s.clear();
   for (const TracedInterval& interval : intervals)
@@ -294,12 +294,12 @@ class Between {
 }  // namespace
 
 SweepResult with_all_times(const Case& c, const MovingTarget& target, const std::vector<TracedInterval>& intervals,
-                           const SweepResult& traced_result) {
+                           SweepResult all) {
   const Times times(c, target);
   const Sweep& sweep = c.sweep;
   const std::size_t looks = times.looks(), frequencies = sweep.frequencies.size(), per_pulse = looks * frequencies;
-  std::vector<std::size_t> pulses;                 // that were traced
-  std::vector<char> is_traced(c.motion->times());  // [pulse]
+  std::vector<std::size_t> pulses;         // that were traced
+  std::vector<char> is_traced(c.times());  // [pulse]
   for (const TracedInterval& interval : intervals)
     for (const std::size_t pulse : traced_pulses(interval)) pulses.push_back(pulse), is_traced[pulse] = 1;
   std::vector<std::size_t> source(sweep.rows());  // [row] that of the traced time before
@@ -307,7 +307,6 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
     const auto next = std::ranges::upper_bound(pulses, row / per_pulse);
     source[row] = static_cast<std::size_t>(next - pulses.begin() - 1) * per_pulse + row % per_pulse;
   }
-  SweepResult all = traced_result;
   visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) { spread(source, rows); });
   spread(source, all.error), spread(source, all.model);
   all.incoherent.clear();

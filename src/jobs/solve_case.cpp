@@ -54,7 +54,7 @@ SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std
                                                                progress, kept, team)
                                                 : solve(plan, progress, kept, team);
   if (planned.moving && !planned.pulse_by_pulse()) refer_to_antennas(planned.computed(), *planned.moving, result);
-  if (planned.traced) result = with_all_times(planned.c, *planned.moving, planned.intervals, result);
+  if (planned.traced) result = with_all_times(planned.c, *planned.moving, planned.intervals, std::move(result));
   manifest.warnings = warnings_of_result(planned, result.statistics);
   manifest.statistics = result.statistics;
   manifest.model_parts = result.model_parts;
@@ -72,9 +72,9 @@ void solve_shard_of_case(const PlannedCase& planned, const Shard& shard, const s
 
 void help_to_solve_case(const Case& c, const Target& target, int threads, bool keep_parts, WorkTeam& team,
                         const std::function<bool(double)>& progress, const std::shared_ptr<const MovingTarget>& moving) {
-  const Case computed = moving ? computed_case(c, *moving) : c;
-  if (moving && !is_one_plan(c, *moving)) return help_to_solve_pulses(computed, *moving, threads, team, progress);
-  const Case part = moving ? case_of_plan(computed, *moving) : c;
+  if (moving && !is_one_plan(c, *moving))
+    return help_to_solve_pulses(computed_case(c, *moving), *moving, threads, team, progress);
+  const Case part = case_of_plan(c, moving.get());
   help_to_solve(plan_of_case(target, part, threads, keep_parts), team, progress);
 }
 

@@ -39,7 +39,7 @@ struct PlannedCase {
   /// Each time is solved by itself.
   bool pulse_by_pulse() const { return moving && !is_one_plan(c, *moving); }
   /// What is computed, kept and shared one by one: looks, or times.
-  std::size_t items() const { return pulse_by_pulse() ? computed().motion->times() : plan.looks.computed.size(); }
+  std::size_t items() const { return pulse_by_pulse() ? computed().times() : plan.looks.computed.size(); }
 };
 
 /// Solves it, with a team beside others, and completes the manifest, except for times. Throws Interrupted once `progress` is

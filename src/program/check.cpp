@@ -68,11 +68,10 @@ void write_wedges(const std::filesystem::path& file, const SolvePlan& plan) {
 void check_case(const CheckRequest& asked) {
   const Case c = read_case(asked.input.file, asked.input.overrides);
   if (!asked.wedge_list.empty()) folder_of_wedges(asked.wedge_list);  // better refused now than after the work
-  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
-  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
+  auto [moving, loaded] = load_target_of_plan(c);
   const Target target(std::move(loaded.mesh), c.wedges);
   const int threads = asked.threads > 0 ? asked.threads : all_threads();
-  const Case part = moving ? case_of_plan(computed_case(c, *moving), *moving) : c;
+  const Case part = case_of_plan(c, moving.get());
   const SolvePlan plan = plan_of_case(target, part, threads, false);
   Json data;
   const auto add = [&](const Json& section) {

@@ -165,4 +165,10 @@ void tell_shares(const std::vector<double>& sums, std::size_t rows, std::vector<
   std::ranges::stable_sort(parts, std::ranges::greater{}, &ModelPart::share);
 }
 
+void drop_parts(SweepResult& result) {
+  result.bounces.clear();
+  result.mechanisms.clear();
+  for (ModelPart& part : result.model_parts) part.rows.clear();
+}
+
 }  // namespace raytube

@@ -16,6 +16,9 @@ namespace raytube {
 /// largest part first.
 void tell_shares(const std::vector<double>& sums, std::size_t rows, std::vector<ModelPart>& parts);
 
+/// Lets go of what is kept by mechanism and by part of the model uncertainty.
+void drop_parts(SweepResult& result);
+
 /// Puts each look's result in its rows and in those of the looks that follow from it, and adds up the counts: as they come, so
 /// that no look is held longer than it takes. Refers to the plan and its model uncertainty.
 class Rows {

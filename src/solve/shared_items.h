@@ -67,4 +67,21 @@ void compute_shared(const SharedItems<Item>& items, const Shard& shard, const st
   });
 }
 
+/// The items of a shard into the hands of `kept` alone.
+template <class Item>
+void compute_shard(const SharedItems<Item>& items, const Shard& shard, const std::function<bool(double)>& callback,
+                   const KeptLooks& kept, WorkTeam* team) {
+  const std::size_t own = shard.size(items.count);
+  if (kept.begin) kept.begin(own);
+  if (own > 0 || team) compute_shared<Item>(items, shard, callback, kept, team, {});
+}
+
+/// Items for the process that leads the team.
+template <class Item>
+void compute_for_leader(const SharedItems<Item>& items, WorkTeam& team, const std::function<bool(double)>& callback) {
+  const KeptLooks given{
+      .begin = {}, .find = {}, .keep = [&team](std::size_t index, std::string bytes) { team.give(index, std::move(bytes)); }};
+  compute_shared<Item>(items, {}, callback, given, &team, {});
+}
+
 }  // namespace raytube

@@ -41,18 +41,13 @@ SweepResult solve(const SolvePlan& plan, const std::function<bool(double)>& call
 
 void solve_shard(const SolvePlan& plan, const Shard& shard, const std::function<bool(double)>& callback, const KeptLooks& kept,
                  WorkTeam* team) {
-  const std::size_t own = shard.size(plan.looks.computed.size());
-  if (kept.begin) kept.begin(own);
-  if (own == 0 && !team) return;
   const LookSolver solver(plan);
-  compute_shared<LookResult>(looks_of(plan, solver), shard, callback, kept, team, {});
+  compute_shard(looks_of(plan, solver), shard, callback, kept, team);
 }
 
 void help_to_solve(const SolvePlan& plan, WorkTeam& team, const std::function<bool(double)>& callback) {
-  const KeptLooks given{
-      .begin = {}, .find = {}, .keep = [&team](std::size_t index, std::string bytes) { team.give(index, std::move(bytes)); }};
   const LookSolver solver(plan);
-  compute_shared<LookResult>(looks_of(plan, solver), {}, callback, given, &team, {});
+  compute_for_leader(looks_of(plan, solver), team, callback);
 }
 
 SweepResult solve(const Target& target, const Sweep& sweep, const SolveOptions& options) {

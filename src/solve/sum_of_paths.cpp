@@ -84,12 +84,6 @@ void tell_looks(const PathSum& sum, const Sweep& sweep, Statistics& s) {
   }
 }
 
-void drop_parts(SweepResult& result) {
-  result.bounces.clear();
-  result.mechanisms.clear();
-  for (ModelPart& part : result.model_parts) part.rows.clear();
-}
-
 }  // namespace
 
 SweepResult sum_of_paths(const SolvePlan& plan, SweepResult solved) {

@@ -120,8 +120,6 @@ inline std::vector<Sweep> general_looks() { return {looks(false, true, false), l
 inline std::vector<Sweep> exact_looks() { return {looks(false, false), looks(true, false)}; }
 
 /// Accurate next to the poles, too.
-inline Direction direction_of(const dvec3& v) { return {std::atan2(std::hypot(v.x, v.y), v.z), std::atan2(v.y, v.x)}; }
-
 /// A number below 1, the `index`-th of a stream with this name.
 inline double random_number(std::uint64_t stream, std::uint64_t index) { return random_point(7, stream, index).x; }
 

@@ -130,6 +130,11 @@ struct Case {
   std::vector<std::size_t> image_looks;  // of which images are made
   double image_per_wavelength = 10.0;
   std::vector<std::string> warnings;  // sentences about what was likely meant otherwise
+
+  /// Times at which every look is computed: one where everything stands.
+  std::size_t times() const { return motion ? motion->times() : 1; }
+  /// How many looks each of them has.
+  std::size_t looks_at_a_time() const { return sweep.looks.size() / times(); }
 };
 
 }  // namespace raytube

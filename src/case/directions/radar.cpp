@@ -26,10 +26,6 @@ std::vector<dvec3> read_antenna_positions(const CaseValue& value, const std::str
   return positions;
 }
 
-Direction direction_of(const dvec3& position) {
-  return {std::atan2(std::hypot(position.x, position.y), position.z), std::atan2(position.y, position.x)};
-}
-
 void read_beamwidth(const CaseValue& value, Case& c) {
   const std::string key = "radar.beamwidth_deg";
   if (value.kind == CaseValue::Kind::list) {

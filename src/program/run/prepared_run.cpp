@@ -63,8 +63,7 @@ JournalIdentity identity_of(const Case& c, const Manifest& manifest) {
 }
 
 PreparedRun prepared_run(const RunOptions& asked, const Case& read, const Case& c, const Stopwatch& total) {
-  const auto moving = c.motion ? std::make_shared<const MovingTarget>(read_target(c), c) : nullptr;
-  LoadedMesh loaded = moving ? mesh_of_plan(c, *moving) : load_target(c);
+  auto [moving, loaded] = load_target_of_plan(c);
   share_work(asked.work, {}, c, loaded.mesh);
   warn_of_reading(c, loaded.report);
   PreparedRun run{c, loaded.report, described_inputs(read, loaded.report, sha256_of_meshes(c, loaded.report)), {}, {}, {}};

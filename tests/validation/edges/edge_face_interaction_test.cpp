@@ -164,8 +164,6 @@ Defect reciprocity_defect(const PolygonSoup& soup, const std::vector<Look>& look
   return defect;
 }
 
-Direction direction_of(const dvec3& v) { return {std::acos(std::clamp(v.z / glm::length(v), -1.0, 1.0)), std::atan2(v.y, v.x)}; }
-
 /// Directions at random, uniform on the part of the sphere that `inside` accepts.
 std::vector<Look> random_looks(int count, const std::function<bool(const dvec3&)>& inside) {
   std::mt19937 random(7);

@@ -20,8 +20,6 @@ glm::dmat3 rotation(double angle, const dvec3& axis) {
   return glm::dmat3(glm::rotate(glm::dmat4(1.0), angle, glm::normalize(axis)));
 }
 
-Direction direction_of(const dvec3& v) { return {std::acos(std::clamp(v.z, -1.0, 1.0)), std::atan2(v.y, v.x)}; }
-
 double largest(const ScatteringMatrix& m) {
   return std::max({std::abs(m.vv()), std::abs(m.vh()), std::abs(m.hv()), std::abs(m.hh())});
 }
