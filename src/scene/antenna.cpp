@@ -55,8 +55,11 @@ AntennaRay Antenna::ray_to(const dvec3& point) const {
   AntennaRay ray;
   ray.path = (glm::dot(step, step) - 2.0 * range_ * glm::dot(step, basis_.radial)) / (distance + range_);
   ray.direction = way / distance;
-  const dvec2 angles = off_axis(ray.direction);
-  const double amplitude = range_ / distance * pattern_.amplitude(angles.x, angles.y);
+  double amplitude = range_ / distance;
+  if (!pattern_.isotropic()) {
+    const dvec2 angles = off_axis(ray.direction);
+    amplitude *= pattern_.amplitude(angles.x, angles.y);
+  }
   ray.field[0] = amplitude * carried(basis_.theta_hat, -basis_.radial, ray.direction);
   ray.field[1] = amplitude * carried(basis_.phi_hat, -basis_.radial, ray.direction);
   return ray;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -26,6 +27,9 @@ struct AntennaPattern {
   double elevation_beamwidth = std::numeric_limits<double>::infinity();  // infinite: isotropic
   PatternCut azimuth{}, elevation{};                                     // in the plane of phi_hat; in that of theta_hat
 
+  bool isotropic() const {
+    return std::isinf(azimuth_beamwidth) && std::isinf(elevation_beamwidth) && azimuth.angles.empty() && elevation.angles.empty();
+  }
   /// Field relative to the axis: at half a beamwidth off it the power is 1/2.
   double amplitude(double azimuth_angle, double elevation_angle) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/node_waves.h"
 #include "math/triangle_moments.h"
 #include "sbr/beams/tolerances.h"
 #include "scene/frequency_bands.h"
@@ -14,6 +15,9 @@ namespace {
 
 // k times the longest side of a triangle that is not halved any more: a twelfth of the wavelength.
 constexpr double shortest = 0.5;
+
+// Of the sum of the parts' amplitudes: by how much interpolation between wavenumbers may be off.
+constexpr double least_share = 1e-10;
 
 struct Components {
   double u, v, d;
@@ -163,15 +167,15 @@ void SphericalLook::add_incoherent(TubeSums& sums, const Beam& outgoing, const P
     for (std::size_t q = 0; q < 2; ++q) sums.incoherent[f][q] += on_surface * c.received->incoherent[f][q];
 }
 
-SphericalLook::Sums SphericalLook::sums_of(TubeSums& sums, int bounce) const {
-  std::vector<ScatteringMatrix>& scattering = sums.at(bounce, wavenumbers_.size());
-  sums.quadrature.resize(wavenumbers_.size());
-  if (surfaces_.any_rough()) sums.incoherent.resize(wavenumbers_.size());
-  return {scattering, sums.quadrature, sums.incoherent};
+SphericalLook::BounceSums SphericalLook::sums_of(const Sums& to, int bounce) const {
+  std::vector<ScatteringMatrix>& scattering = to.tubes.at(bounce, wavenumbers_.size());
+  to.tubes.quadrature.resize(wavenumbers_.size());
+  if (surfaces_.any_rough()) to.tubes.incoherent.resize(wavenumbers_.size());
+  return {scattering, to.tubes.quadrature, to.tubes.incoherent, to.band};
 }
 
 template <class At>
-void SphericalLook::add_polygon(const Sums& to, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon,
+void SphericalLook::add_polygon(const BounceSums& to, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon,
                                 At at) const {
   const Affine depth = depth_of(outgoing, plane);
   const auto corner = [&](std::size_t i) { return at(point_at(outgoing, polygon[i].at, depth(polygon[i].at))); };
@@ -180,7 +184,7 @@ void SphericalLook::add_polygon(const Sums& to, const Beam& outgoing, const Patc
 
 // A convex polygon, triangle by triangle.
 template <class Corner, class At>
-void SphericalLook::add_fan(const Sums& to, std::size_t corners, Corner corner, At at) const {
+void SphericalLook::add_fan(const BounceSums& to, std::size_t corners, Corner corner, At at) const {
   const auto first = corner(0);
   auto before = corner(1);
   for (std::size_t i = 2; i < corners; ++i) {
@@ -190,9 +194,9 @@ void SphericalLook::add_fan(const Sums& to, std::size_t corners, Corner corner, 
   }
 }
 
-void SphericalLook::add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane,
+void SphericalLook::add(const Sums& sums, int bounce, const Beam& outgoing, const Patch& plane,
                         const ConvexPolygon& polygon) const {
-  const Sums to = sums_of(sums, bounce);
+  const BounceSums to = sums_of(sums, bounce);
   if (outgoing.met)
     add_polygon(to, outgoing, plane, polygon, [&](const dvec3& r) { return spectral_current(outgoing, r); });
   else
@@ -206,7 +210,7 @@ auto SphericalLook::with_current(const BentFacet& facet, std::uint32_t material,
   return visit([&](const dvec3& r) { return spectral_current(facet, {incident_, {{dvec3(0.0), material}}}, r); });
 }
 
-bool SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const {
+bool SphericalLook::add(const Sums& sums, const BentFacet& facet, std::uint32_t material) const {
   return with_current(facet, material, [&](const auto& at) {
     const std::array corners{at(facet.corners()[0]), at(facet.corners()[1]), at(facet.corners()[2])};
     if (std::ranges::none_of(corners, [](const auto& c) { return c.lit(); })) return false;
@@ -215,14 +219,14 @@ bool SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t ma
   });
 }
 
-void SphericalLook::add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const {
+void SphericalLook::add(const Sums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const {
   with_current(facet, material, [&](const auto& at) {
     add_fan(
         sums_of(sums, 0), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
   });
 }
 
-void SphericalLook::add(TubeSums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met,
+void SphericalLook::add(const Sums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met,
                         std::span<const dvec3> corners) const {
   const auto at = [&](const dvec3& r) { return spectral_current(facet, met, r); };
   add_fan(
@@ -232,7 +236,7 @@ void SphericalLook::add(TubeSums& sums, int bounce, const BentFacet& facet, cons
 // Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
 // of light is never smooth.
 template <class C, class At>
-void SphericalLook::add(const Sums& sums, const Corners<C>& triangle, At at) const {
+void SphericalLook::add(const BounceSums& sums, const Corners<C>& triangle, At at) const {
   const auto& [a, b, c] = triangle;
   const auto middle = [&](const C& p, const C& q) { return at(0.5 * (p.point + q.point)); };
   const Corners<C> middles{middle(a, b), middle(b, c), middle(c, a)};
@@ -271,29 +275,53 @@ double SphericalLook::bend_of(const Corners<C>& corners, const Corners<C>& middl
   return most;
 }
 
-// Amplitude times the phase off the linear one as the parabola through its values at the corners and the middles of the sides.
-// The share `left` that this leaves is known but for its phase: parts are taken as independent.
+// Mean of the current times its phase, over the area of the triangle: amplitude times the phase off the linear one is the
+// parabola through its values at the corners and the middles of the sides.
 template <class C>
-void SphericalLook::add_smooth(const Sums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const {
-  const double size = area(corners[0].point, corners[1].point, corners[2].point), path = corners[0].path;
+ScatteringMatrix SphericalLook::radiated(const Corners<C>& corners, const Corners<C>& middles, std::size_t frequency, double k) {
+  const double path = corners[0].path;
+  const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
+  ScatteringMatrix s;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const C &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
+    const auto &at_a = a.weight_at(frequency), &at_b = b.weight_at(frequency), &at_m = m.weight_at(frequency);
+    const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q)
+        s.at(p, q) += at_a[p][q] * moments[i] + (at_m[p][q] * bent - at_a[p][q] - at_b[p][q]) * moments[3 + i];
+  }
+  return s *= std::polar(1.0, -k * path);
+}
+
+// The share `left` that a parabola leaves is known but for its phase: parts are taken as independent.
+template <class C>
+void SphericalLook::add_smooth(const BounceSums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const {
+  const double size = area(corners[0].point, corners[1].point, corners[2].point) / (4.0 * pi);
+  const auto [nearest, farthest] = std::minmax({corners[0].path, corners[1].path, corners[2].path});
+  double off = 0.0;  // of paths from linear ones
+  for (std::size_t i = 0; i < 3; ++i)
+    off = std::max(off, std::abs(middles[i].path - 0.5 * (corners[i].path + corners[(i + 1) % 3].path)));
+  const bool same = C::weights_of(wavenumbers_.size()) == 1;  // at every wavenumber
+  if (const ChebyshevNodes* nodes = same ? sums.band.nodes_of_fresnel(0.5 * (farthest - nearest) + off, least_share) : nullptr) {
+    std::vector<ScatteringMatrix> values;
+    for (const double k : nodes->at) values.push_back(radiated(corners, middles, 0, k) *= Complex(0.0, -k * size));
+    add_interpolated(values, *nodes, wavenumbers_, -0.5 * (nearest + farthest), sums.scattering);
+  } else
+    for (std::size_t f = 0; f < wavenumbers_.size(); ++f)
+      sums.scattering[f] += radiated(corners, middles, f, wavenumbers_[f]) *= Complex(0.0, -wavenumbers_[f] * size);
   for (std::size_t f = 0; f < wavenumbers_.size(); ++f) {
-    const double k = wavenumbers_[f], scale = k / (4.0 * pi) * size;
-    const auto moments = triangle_moments({0.0, -k * (corners[1].path - path), -k * (corners[2].path - path)});
-    const Complex factor = Complex(0.0, -scale) * std::polar(1.0, -k * path);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const C &a = corners[i], &b = corners[(i + 1) % 3], &m = middles[i];
-      const auto &at_a = a.weight_at(f), &at_b = b.weight_at(f), &at_m = m.weight_at(f);
-      const Complex bent = 4.0 * std::polar(1.0, -k * (m.path - 0.5 * (a.path + b.path)));
+    const double square = std::pow(wavenumbers_[f] * size * left, 2) / 3.0;
+    for (const C& m : middles) {
+      const auto& at_m = m.weight_at(f);
       for (int p = 0; p < 2; ++p)
-        for (int q = 0; q < 2; ++q) {
-          sums.scattering[f].at(p, q) +=
-              factor * (at_a[p][q] * moments[i] + (at_m[p][q] * bent - at_a[p][q] - at_b[p][q]) * moments[3 + i]);
-          sums.errors[f].squares[p][q] += std::pow(scale * left, 2) * std::norm(at_m[p][q]) / 3.0;
-        }
-      const auto incoherent = m.incoherent_at(f);
-      for (std::size_t q = 0; !sums.incoherent.empty() && q < 2; ++q) sums.incoherent[f][q] += size / 3.0 * incoherent[q];
+        for (int q = 0; q < 2; ++q) sums.errors[f].squares[p][q] += square * std::norm(at_m[p][q]);
     }
   }
+  for (std::size_t f = 0; f < sums.incoherent.size(); ++f)
+    for (const C& m : middles) {
+      const auto incoherent = m.incoherent_at(f);
+      for (std::size_t q = 0; q < 2; ++q) sums.incoherent[f][q] += 4.0 * pi * size / 3.0 * incoherent[q];
+    }
 }
 
 }  // namespace raytube

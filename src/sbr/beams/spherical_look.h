@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "math/chebyshev.h"
 #include "mesh/smooth/smooth.h"
 #include "sbr/beams/beam.h"
 #include "sbr/beams/footprint.h"
@@ -31,6 +32,9 @@ class SphericalLook {
   /// This look at one of its wavenumbers.
   SphericalLook at_frequency(std::size_t index) const;
 
+  /// The wavenumbers of the look [rad/m].
+  std::span<const double> wavenumbers() const { return wavenumbers_; }
+
   /// The wave of a beam at a point, as if all that it has met were perfect conductors.
   AntennaRay wave(const Beam& beam, const dvec3& r) const;
   /// The wave that came to the first of the surfaces that a beam has met, on its way to a point, folded back.
@@ -44,21 +48,28 @@ class SphericalLook {
   /// Adds what roughness scatters from so much of the launch plane about `at`, if `outgoing` has met anything rough.
   void add_incoherent(TubeSums& sums, const Beam& outgoing, const Patch& plane, const dvec2& at, double area) const;
 
+  /// Where currents are added up: sums of one thread, and the wavenumbers of the look.
+  struct Sums {
+    TubeSums& tubes;
+    Band& band;
+  };
+
   /// Adds S of the currents of bounce `bounce` on a polygon of launch coordinates on the plane that `outgoing` leaves, at every
-  /// wavenumber, and what quadrature may have left.
-  void add(TubeSums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
+  /// wavenumber, and what quadrature may have left. Of many wavenumbers currents on perfect conductors are computed at a few and
+  /// interpolated, to 1e-10 of their amplitudes' sum.
+  void add(const Sums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
   /// Adds S of the currents of the first bounce on the part of a curved surface over a facet of this material, lit by the
   /// transmitter itself wherever it faces it. False, and nothing is added, if none of the facet's corners is
   /// lit.
-  bool add(TubeSums& sums, const BentFacet& facet, std::uint32_t material) const;
+  bool add(const Sums& sums, const BentFacet& facet, std::uint32_t material) const;
 
   /// Adds S of the part of that surface over a polygon of the facet's plane.
-  void add(TubeSums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const;
+  void add(const Sums& sums, const BentFacet& facet, std::uint32_t material, std::span<const dvec3> corners) const;
 
   /// Adds S of such a part as that of bounce `bounce`, where the transmitter's wave comes through sheets, or the currents are
   /// received through them: `met` has these, and last of its surfaces the facet's plane.
-  void add(TubeSums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met, std::span<const dvec3> corners) const;
+  void add(const Sums& sums, int bounce, const BentFacet& facet, const SurfacesMet& met, std::span<const dvec3> corners) const;
 
  private:
   struct Current {
@@ -89,12 +100,14 @@ class SphericalLook {
       return received && !received->incoherent.empty() ? received->incoherent[frequency] : std::array<double, 2>{};
     }
   };
-  struct Sums {
+  // Of one bounce.
+  struct BounceSums {
     std::vector<ScatteringMatrix>& scattering;  // of each wavenumber
     std::vector<ErrorSum>& errors;
     std::vector<std::array<double, 2>>& incoherent;  // empty: nothing is rough
+    Band& band;
   };
-  Sums sums_of(TubeSums& sums, int bounce) const;
+  BounceSums sums_of(const Sums& sums, int bounce) const;
   // Corners; side i runs from corner i to the next one.
   template <class C>
   using Corners = std::array<C, 3>;
@@ -104,17 +117,19 @@ class SphericalLook {
   SpectralCurrent spectral_current(const Beam& outgoing, const dvec3& r) const;
   SpectralCurrent spectral_current(const BentFacet& facet, SurfacesMet met, const dvec3& r) const;
   template <class At>
-  void add_polygon(const Sums& sums, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon, At at) const;
+  void add_polygon(const BounceSums& sums, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon, At at) const;
   template <class Corner, class At>
-  void add_fan(const Sums& sums, std::size_t corners, Corner corner, At at) const;
+  void add_fan(const BounceSums& sums, std::size_t corners, Corner corner, At at) const;
   template <class Visit>
   auto with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const;
   template <class C, class At>
-  void add(const Sums& sums, const Corners<C>& triangle, At at) const;
+  void add(const BounceSums& sums, const Corners<C>& triangle, At at) const;
   template <class C>
   double bend_of(const Corners<C>& corners, const Corners<C>& middles) const;
   template <class C>
-  void add_smooth(const Sums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const;
+  static ScatteringMatrix radiated(const Corners<C>& corners, const Corners<C>& middles, std::size_t frequency, double k);
+  template <class C>
+  void add_smooth(const BounceSums& sums, const Corners<C>& corners, const Corners<C>& middles, double left) const;
 
   const AntennaPair& antennas_;
   Beam incident_;

@@ -21,13 +21,14 @@ Patch plane_of(const BentFacet& facet) {
 
 }  // namespace
 
-NearFacets::NearFacets(const TubeLook& look) : look_(look), beam_(incident_beam(look.grid, look.transmit, dvec2(0.0))) {
+NearFacets::NearFacets(const TubeLook& look)
+    : look_(look), beam_(incident_beam(look.grid, look.transmit, dvec2(0.0))), band_(look.wavenumbers()) {
   sums_.at(0, look.wavenumbers().size());
 }
 
 void NearFacets::light(std::uint32_t triangle) {
   const BentFacet facet = look_.smooth->facet(triangle);
-  add(triangle, outline_of(facet), [&] { return look_.spherical->add(sums_, facet, material(triangle)); });
+  add(triangle, outline_of(facet), [&] { return look_.spherical->add({sums_, band_}, facet, material(triangle)); });
 }
 
 void NearFacets::light(std::uint32_t triangle, const ConvexPolygon& part) {
@@ -35,7 +36,7 @@ void NearFacets::light(std::uint32_t triangle, const ConvexPolygon& part) {
   const Patch plane = plane_of(facet);
   if (!(std::abs(facing(beam_, plane)) > least_facing)) return;
   add(triangle, part, [&] {
-    look_.spherical->add(sums_, facet, material(triangle), points_on(plane, part));
+    look_.spherical->add({sums_, band_}, facet, material(triangle), points_on(plane, part));
     return true;
   });
 }
@@ -58,12 +59,13 @@ void NearFacets::light(TubeSums& to, int bounce, const SurfacesMet& met, std::ui
   const BentFacet facet = seen(triangle);
   const Patch plane = plane_of(facet);
   if (!(std::abs(facing(beam_, plane)) > least_facing)) return;
-  look_.spherical->add(to, bounce, facet, met, points_on(plane, part));
+  look_.spherical->add({to, band_}, bounce, facet, met, points_on(plane, part));
   if (!look_.map) return;
   const SphericalLook at_frequency = look_.spherical->at_frequency(look_.map->frequency_index());
+  Band one(at_frequency.wavenumbers());
   const auto radiated = [&](const ConvexPolygon& of) {
     TubeSums alone;
-    at_frequency.add(alone, 0, facet, met, points_on(plane, of));
+    at_frequency.add({alone, one}, 0, facet, met, points_on(plane, of));
     return alone.bounces[0][0];
   };
   look_.map->add(
@@ -118,11 +120,12 @@ void NearFacets::add_to_map(std::uint32_t triangle, const ConvexPolygon& outline
   const Patch plane = plane_of(facet);
   if (!(std::abs(facing(beam_, plane)) > least_facing)) return look_.map->add(0, middle(outline), triangle, whole);
   const SphericalLook at_frequency = look_.spherical->at_frequency(look_.map->frequency_index());
+  Band one(at_frequency.wavenumbers());
   look_.map->add(
       0, outline, [&](const dvec2&) { return triangle; }, whole,
       [&](const ConvexPolygon& part) {
         TubeSums alone;
-        at_frequency.add(alone, facet, material(triangle), points_on(plane, part));
+        at_frequency.add({alone, one}, facet, material(triangle), points_on(plane, part));
         return alone.bounces[0][0];
       });
 }

@@ -44,6 +44,7 @@ class NearFacets {
 
   const TubeLook& look_;
   Beam beam_;
+  Band band_;
   TubeSums sums_;
   std::vector<dvec3> points_;
 };

@@ -26,19 +26,19 @@ void PolygonCurrents::radiate(TubeSums& to, std::uint32_t node, const VisiblePar
   if (map) map->add(bounce, footprint, part.outline, part.face);
 }
 
-void PolygonCurrents::radiate_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce,
-                                        CurrentMap* map) const {
+void PolygonCurrents::radiate_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) {
   const Beam& beam = beams_.beam(node);
   const Patch& plane = beams_.patch(node);
-  if (!map) return look_.spherical->add(to, bounce, beam, plane, part.outline);
+  if (!map) return look_.spherical->add({to, band_}, bounce, beam, plane, part.outline);
   const std::size_t f = map->frequency_index();
   const auto sum = [&] { return to.at(bounce, look_.wavenumbers().size())[f]; };
   const ScatteringMatrix before = sum();
-  look_.spherical->add(to, bounce, beam, plane, part.outline);
+  look_.spherical->add({to, band_}, bounce, beam, plane, part.outline);
   const SphericalLook at_frequency = look_.spherical->at_frequency(f);
+  Band one(at_frequency.wavenumbers());
   map->add(bounce, beam, part.outline, part.face, sum() - before, [&](const ConvexPolygon& of) {
     TubeSums alone;
-    at_frequency.add(alone, 0, beam, plane, of);
+    at_frequency.add({alone, one}, 0, beam, plane, of);
     return alone.bounces[0][0];
   });
 }

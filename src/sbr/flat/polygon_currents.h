@@ -26,7 +26,7 @@ class PolygonCurrents {
 
  private:
   void radiate(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map);
-  void radiate_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map) const;
+  void radiate_spherical(TubeSums& to, std::uint32_t node, const VisiblePart& part, int bounce, CurrentMap* map);
 
   const TubeLook& look_;
   BeamTree& beams_;
