@@ -1,12 +1,12 @@
 // Pulses that are not traced: what bodies add to S between those that are.
 //
-// Within an interval S is modelled as  S(t) = sum over g of A_g(t) e^{-j k L_g(t)},  L_g the path over the middle of what moves
-// as one, or the mean of two such paths for what gets from one to the other, A_g a polynomial. All of what moves as one turns the
-// phase of A_g by no more than k (L_i - L_g) for points i of its box, known from its motion: with the largest slope of this over
-// the interval, half of it long, z, Chebyshev's coefficients of A_g fall as the Bessel functions J_n(z) (Jacobi and Anger;
-// Abramowitz and Stegun 9.1.42 to 9.1.45). That fixes how many times have to be traced, by the case alone, so that no row hangs
-// on threads, ranks or shards; coefficients are those of least squares. What changes otherwise, shadows and glints, is not in
-// this bound: some more times are traced to see how far off it is.
+// S is a sum over places of the target of e^{-jkL}, L the path over one place, or from one to another, times amplitudes that
+// change slowly. Where places are at any time is known from the motion of the parts they are on. So a sample of such phasors, of
+// places all over the boxes of the parts, spans what S may be at the pulses of an interval, to a small share; and a basis of it,
+// of some functions more than there are Doppler cells in the band of the target (Landau and Pollak 1962, Bell System Technical
+// Journal 41, 1295), tells S at all pulses from as many of them. How many have to be traced hangs on the case alone, so that no
+// row hangs on threads, ranks or shards; what is found between is that of least squares. What changes otherwise, shadows and
+// glints, is not in the sample: some more times are traced to see how far off it is.
 #pragma once
 
 #include "case/moving_target.h"

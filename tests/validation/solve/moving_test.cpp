@@ -164,8 +164,8 @@ double difference_of_all(const std::vector<ScatteringMatrix>& a, const std::vect
 
 std::string retraced(std::string text) { return text.replace(text.find("[motion]\n"), 9, "[motion]\nretrace = \"auto\"\n"); }
 
-// Three bodies that only shift, each with its own velocity, and edges that do not light other bodies: each has its phase,
-// exactly.
+// Three bodies that only shift, each with its own velocity, and edges that do not light other bodies: each has its phase, but for
+// the share of functions that is left out.
 TEST(Moving, WhatOnlyShiftsIsFoundFromAFewTimes) {
   const std::string mesh = three_bodies([](std::size_t) { return Pose(); }),
                     text = case_text(
@@ -174,7 +174,7 @@ TEST(Moving, WhatOnlyShiftsIsFoundFromAFewTimes) {
                         "[motion.bodies.b]\nparts = \"b\"\nvelocity_m_per_s = [-2.0, 1.0, 0.5]\n");
   const Solved every = solved(mesh, text), few = solved(mesh, retraced(text));
   ASSERT_EQ(few.result.total.size(), every.result.total.size());
-  EXPECT_LT(difference_of_all(few.result.total, every.result.total), rounding);
+  EXPECT_LT(difference_of_all(few.result.total, every.result.total), 1e-4);
   EXPECT_LT(3 * few.result.statistics.tubes, every.result.statistics.tubes);
 }
 
