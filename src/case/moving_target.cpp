@@ -115,6 +115,12 @@ std::vector<MovingTarget::RigidPart> MovingTarget::rigid_parts() const {
 
 LoadedMesh MovingTarget::at_rest() const { return build_target(soup_, case_, mesh_names(case_)); }
 
+std::vector<dvec3> MovingTarget::places(double time) const {
+  std::vector<dvec3> places = points_at(time);
+  for (dvec3& place : places) place *= case_.metres_per_unit;
+  return places;
+}
+
 std::vector<dvec3> MovingTarget::points_at(double time) const {
   std::map<std::size_t, Pose> poses;
   for (std::size_t body = 0; body < motion().bodies.size(); ++body) poses.emplace(body, pose_of(motion(), body, time));

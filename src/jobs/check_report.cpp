@@ -206,8 +206,7 @@ std::vector<std::string> skipped_lines(const MeshReport& r, const SolvePlan& pla
 std::vector<std::string> warnings_json(const Case& c, const MeshReport& counts, const SolvePlan& plan,
                                        const MovingTarget* moving) {
   const std::vector<dvec3> outermost = outermost_points(plan.target.mesh.vertices);
-  std::vector<std::string> sentences = warnings_of(moving ? case_of_pulse(c, 0) : c, plan, outermost);
-  if (moving) std::ranges::copy(moving->warnings(c.sweep), std::back_inserter(sentences));
+  std::vector<std::string> sentences = warnings_before(c, plan, outermost, moving);
   std::ranges::copy(reading_sentences(c, counts), std::back_inserter(sentences));
   return sentences;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "case/target.h"
@@ -11,6 +12,8 @@
 #include "jobs/joined_results.h"
 #include "jobs/retrace.h"
 #include "jobs/solvable.h"
+#include "jobs/warnings/warnings.h"
+#include "plan/admissible.h"
 #include "plan/phase_reference.h"
 #include "solve/rows.h"
 #include "solve/shared_items.h"
@@ -69,6 +72,20 @@ std::string bytes_of(const SweepResult& result) {
   ByteWriter writer;
   writer(result);
   return writer.take();
+}
+
+// Known before hours of work, not after.
+void check_antennas_of_pulses(const Case& c, const MovingTarget& target) {
+  if (all_far(c.sweep)) return;
+  const Case rest = without_looks(c);
+  for (std::size_t pulse = 0; pulse < c.times(); ++pulse) {
+    const double time = c.sweep.times[pulse * c.looks_at_a_time()];
+    TriangleMesh points;
+    points.vertices = target.places(time);
+    points.center = bounding_box(points.vertices).middle();
+    for (dvec3& vertex : points.vertices) vertex -= points.center;
+    naming_the_case(c, [&] { saying_when(time, [&] { check_antennas(points, with_looks_of_pulse(rest, c, pulse).sweep); }); });
+  }
 }
 
 // Mechanisms are kept apart whether asked for or not, so that what is kept serves both.
@@ -137,6 +154,15 @@ LoadedCaseTarget load_target_of_plan(const Case& c) {
   auto moving = std::make_shared<const MovingTarget>(read_target(c), c);
   LoadedMesh loaded = mesh_of_plan(c, *moving);
   return {std::move(moving), std::move(loaded)};
+}
+
+std::vector<std::string> warnings_before(const Case& c, const SolvePlan& plan, std::span<const dvec3> outermost,
+                                         const MovingTarget* target) {
+  if (!target) return warnings_of(c, plan, outermost);
+  if (!is_one_plan(c, *target)) check_antennas_of_pulses(c, *target);
+  std::vector<std::string> sentences = warnings_of(case_of_pulse(c, 0), plan, outermost);
+  std::ranges::copy(target->warnings(c.sweep), std::back_inserter(sentences));
+  return sentences;
 }
 
 void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& result) {

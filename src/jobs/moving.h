@@ -35,6 +35,11 @@ LoadedCaseTarget load_target_of_plan(const Case& c);
 /// The case at one of its times, by number, without motion.
 Case case_of_pulse(const Case& c, std::size_t pulse);
 
+/// Sentences about a case and what its plan is of, before it is solved; `target` is null if it stands, `outermost` are points of
+/// it as wide as all of it. Throws InputError, with the time, if at any of them an antenna has not all of the target in front.
+std::vector<std::string> warnings_before(const Case& c, const SolvePlan& plan, std::span<const dvec3> outermost,
+                                         const MovingTarget* target);
+
 /// Rows that one plan has found, as the antennas see them: polarisation and phase of a body that has turned and shifted.
 void refer_to_antennas(const Case& c, const MovingTarget& target, SweepResult& result);
 

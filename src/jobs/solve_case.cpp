@@ -8,7 +8,6 @@
 #include "jobs/material_report.h"
 #include "jobs/memory.h"
 #include "jobs/solvable.h"
-#include "jobs/warnings/warnings.h"
 #include "output/words/summary.h"
 
 namespace raytube {
@@ -39,12 +38,7 @@ PlannedCase::PlannedCase(const Case& asked, const Target& target, const MeshRepo
       part(moving ? std::make_unique<const Case>(case_of_plan(computed(), *moving)) : nullptr),
       plan(plan_of_case(target, part ? *part : c, threads, keep_parts)) {
   check_memory(plan, c);
-  if (!moving) {
-    warnings = warnings_of(c, plan, outermost);
-    return;
-  }
-  warnings = warnings_of(case_of_pulse(c, 0), plan, outermost);
-  std::ranges::copy(moving->warnings(c.sweep), std::back_inserter(warnings));
+  warnings = warnings_before(c, plan, outermost, moving.get());
 }
 
 SweepResult solve_case(const PlannedCase& planned, Manifest& manifest, const std::function<bool(double)>& progress,

@@ -27,6 +27,7 @@ struct AntennaPattern {
   double elevation_beamwidth = std::numeric_limits<double>::infinity();  // infinite: isotropic
   PatternCut azimuth{}, elevation{};                                     // in the plane of phi_hat; in that of theta_hat
 
+  /// The same all round.
   bool isotropic() const {
     return std::isinf(azimuth_beamwidth) && std::isinf(elevation_beamwidth) && azimuth.angles.empty() && elevation.angles.empty();
   }

@@ -356,6 +356,9 @@ std::vector<BadRow> motion_rows() {
              "is turned by more than 150 degrees against the pose before"),
       motion("through_the_ground", pulses + "[motion.bodies.a]\nvelocity_m_per_s = [0, 0, -1]\n[ground]\nheight_m = -0.0025\n",
              "below the ground at -0.0025 m; lower ground.height_m, or cut the mesh there (at 0.003 s)"),
+      motion("into_the_antenna", body + "velocity_m_per_s = [0, 0, 400]\n[radar]\nrange_m = 1\n",
+             "stands beside the target, or too near to it, to have all of it and the origin in front, within 45 degrees of the "
+             "line to its middle; move it away (radar.range_m, radar.position_m), or check target.unit (at 0.00"),
       motion("times_fall", "times_s = [1, 0]\n", "motion.times_s must ascend"),
       motion("bodies_no_table", pulses + "bodies = 3\n", "motion.bodies must be a section; write [motion.bodies.NAME]"),
       motion("body_no_table", pulses + "bodies = { a = 3 }\n", "motion.bodies.a must be a section"),
