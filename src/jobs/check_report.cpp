@@ -197,7 +197,7 @@ std::vector<std::string> skipped_lines(const MeshReport& r, const SolvePlan& pla
   std::ranges::copy(plan.skips, std::back_inserter(skipped));
   std::vector<std::string> lines;
   for (const Skipped& s : skipped)
-    if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, s.why));
+    if (s.count) lines.push_back(fmt::format("{} {}: {}", s.count, s.what, reason_of(s)));
   std::ranges::copy(skipped_as_found(plan), std::back_inserter(lines));
   if (lines.empty()) lines.emplace_back("nothing");
   return lines;

@@ -1,9 +1,7 @@
 #include "jobs/joined_results.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <iterator>
-#include <string_view>
 
 #include "solve/rows.h"
 
@@ -44,27 +42,16 @@ void append_model(const std::vector<ModelPart>& parts, std::size_t rows, std::si
   }
 }
 
-constexpr std::string_view digits = "0123456789";
-
-// What a reason says before its first figure, and that figure.
-std::string_view words_of(const Skipped& skipped) {
-  return std::string_view(skipped.why).substr(0, skipped.why.find_first_of(digits));
-}
-double figure_of(const Skipped& skipped) {
-  const std::size_t at = skipped.why.find_first_of(digits);
-  return at == std::string::npos ? 0.0 : std::strtod(skipped.why.c_str() + at, nullptr);
-}
-
 // Reasons that differ in their figures alone are one, with the largest of these.
 void add_skipped(const std::vector<Skipped>& some, std::vector<Skipped>& all) {
   for (const Skipped& each : some) {
-    const auto like = [&](const Skipped& other) { return other.what == each.what && words_of(other) == words_of(each); };
+    const auto like = [&](const Skipped& other) { return other.what == each.what && other.why == each.why; };
     const auto found = std::ranges::find_if(all, like);
     if (found == all.end()) {
       all.push_back(each);
       continue;
     }
-    if (figure_of(each) > figure_of(*found)) found->why = each.why;
+    found->figure = std::max(found->figure, each.figure);
     found->count += each.count;
   }
 }

@@ -1,11 +1,13 @@
 #include "jobs/retrace.h"
 
-#include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -385,10 +387,9 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
   put({"times_traced", {}, pulses.size()}, all.statistics.counts);
   if (const std::size_t found = is_traced.size() - pulses.size(); found > 0)
     all.statistics.skipped.push_back({"times",
-                                      fmt::format("motion.retrace is \"auto\": S at these is found between those that were; "
-                                                  "where it was checked it was off by {:.2g} of S",
-                                                  sum.squares > 0.0 ? std::sqrt(sum.wrong / sum.squares) : 0.0),
-                                      found});
+                                      "motion.retrace is \"auto\": S at these is found between those that were; where it was "
+                                      "checked it was off by {:.2g} of S",
+                                      found, std::sqrt(sum.wrong / std::max(sum.squares, std::numeric_limits<double>::min()))});
   return all;
 }
 

@@ -16,11 +16,15 @@ namespace raytube {
 /// Something the solver did not do, how often, and why.
 struct Skipped {
   std::string what;         // in words
-  std::string why;          // the reason, and a remedy where there is one
+  std::string why;          // the reason, and a remedy where there is one; "{:.2g}" in it stands for `figure`
   std::uint64_t count = 0;  // how often
+  double figure = 0.0;      // the largest, where there are several
   /// All members, as bytes are made of them (core/bytes.h).
-  static void members(auto& s, auto&& take) { take(s.what), take(s.why), take(s.count); }
+  static void members(auto& s, auto&& take) { take(s.what), take(s.why), take(s.count), take(s.figure); }
 };
+
+/// Why it was skipped, with the figure.
+std::string reason_of(const Skipped& skipped);
 
 /// Rows in which a mechanism exceeds what the size of the target allows it (solve/physical_bound.h): they are wrong.
 struct BeyondBound {

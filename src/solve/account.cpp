@@ -95,25 +95,26 @@ void Account::tell_counts(const std::vector<Count>& counts) {
 void Account::tell_mechanism(const MechanismEntry& mechanism, const MechanismState& state, const MechanismSums& sums) {
   all_.mechanisms.push_back(sums.use);
   const std::string looks = std::string("looks without ") + mechanism.label;
-  const auto leave_out = [&](const std::string& why, std::uint64_t count) {
-    if (count > 0) all_.skipped.push_back({looks, why, count});
+  const auto leave_out = [&](const std::string& why, std::uint64_t count, double figure = 0.0) {
+    if (count > 0) all_.skipped.push_back({looks, why, count, figure});
   };
   if (state.missed) leave_out(state.why_not, plan_.sweep.looks.size());
   std::ranges::copy(state.skipped, std::back_inserter(all_.skipped));
   if (mechanism.budget_key) {  // with the share, if it was known in all of these looks before the mechanism began
-    const std::string share =
-        sums.most_reach < least_reach ? fmt::format(" (about {:.2g} % at most)", 100.0 * sums.most_reach) : "";
-    leave_out(fmt::format("{} reaches less than half of what is expected{}", mechanism.budget_key, share), sums.beyond);
+    const bool known = sums.most_reach > 0.0 && sums.most_reach < least_reach;
+    leave_out(std::string(mechanism.budget_key) + " reaches less than half of what is expected" +
+                  (known ? " (about {:.2g} % at most)" : ""),
+              sums.beyond, known ? 100.0 * sums.most_reach : 0.0);
   }
   if (mechanism.follows) return tell_counts(sums.counts);  // what it follows tells where both are left out
   if (sums.use.most_db == 0.0) {
     leave_out("there is nothing for it to work on", sums.without);
   } else if (!state.forced) {
     leave_out(
-        fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about {:.2g} dB at most, "
+        fmt::format("too weak compared with the tubes for what they cost: expected to change a row by about {{:.2g}} dB at most, "
                     "accuracy.tolerance_db is {:g}",
-                    sums.use.most_db, plan_.tubes.tolerance_db),
-        sums.without);
+                    plan_.tubes.tolerance_db),
+        sums.without, sums.use.most_db);
   }
   tell_counts(sums.counts);
 }

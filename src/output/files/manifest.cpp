@@ -65,7 +65,7 @@ Json counts_json(const Statistics& statistics) {
   json["mechanisms"] = mechanisms_json(statistics.mechanisms);
   json["skipped"] = Json::array();
   for (const Skipped& skipped : statistics.skipped)
-    json["skipped"].push_back({{"what", skipped.what}, {"why", skipped.why}, {"count", skipped.count}});
+    json["skipped"].push_back({{"what", skipped.what}, {"why", reason_of(skipped)}, {"count", skipped.count}});
   return json;
 }
 

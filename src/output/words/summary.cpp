@@ -246,7 +246,7 @@ std::string summary_text(const SweepResult& result, const RunFacts& facts) {
   std::string text = facts.size.empty() ? "" : line("size", facts.size);
   text += work_lines(result, facts);
   for (const Skipped& skipped : result.statistics.skipped)
-    text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, skipped.why));
+    text += line("skipped", fmt::format("{} ({}): {}", skipped.what, skipped.count, reason_of(skipped)));
   text += line("peak sigma", fmt::format("{:.2f} dBsm", peak_sigma_dbsm(result)));
   if (!result.statistics.paths) text += error_lines(result, facts);
   text += model_lines(result);

@@ -233,22 +233,29 @@ void SphericalLook::add(const Sums& sums, int bounce, const BentFacet& facet, co
       sums_of(sums, bounce), corners.size(), [&](std::size_t i) { return at(corners[i]); }, at);
 }
 
-// Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
-// of light is never smooth.
 template <class C, class At>
 void SphericalLook::add(const BounceSums& sums, const Corners<C>& triangle, At at) const {
   const auto& [a, b, c] = triangle;
   const auto middle = [&](const C& p, const C& q) { return at(0.5 * (p.point + q.point)); };
-  const Corners<C> middles{middle(a, b), middle(b, c), middle(c, a)};
+  add(sums, triangle, {middle(a, b), middle(b, c), middle(c, a)}, at);
+}
+
+// Halves the longest side until amplitudes, and phases off the linear one, are smooth, or short against the wavelength: a border
+// of light is never smooth. The halves have one new side in common.
+template <class C, class At>
+void SphericalLook::add(const BounceSums& sums, const Corners<C>& triangle, const Corners<C>& middles, At at) const {
+  const auto& [a, b, c] = triangle;
   const std::array<double, 3> sides{glm::distance(a.point, b.point), glm::distance(b.point, c.point),
                                     glm::distance(c.point, a.point)};
   const auto i = static_cast<std::size_t>(std::ranges::max_element(sides) - sides.begin());
   const double bend = bend_of(triangle, middles);
   if (bend <= most_bend_) return add_smooth(sums, triangle, middles, quadrature_error(most_bend_));
   if (highest_ * sides[i] < shortest) return add_smooth(sums, triangle, middles, std::min(bend, 1.0) / 3.0);
-  const C &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3];
-  add(sums, Corners<C>{start, middles[i], tip}, at);
-  add(sums, Corners<C>{middles[i], end, tip}, at);
+  const C &start = triangle[i], &end = triangle[(i + 1) % 3], &tip = triangle[(i + 2) % 3], &half = middles[i];
+  const auto middle = [&](const C& p, const C& q) { return at(0.5 * (p.point + q.point)); };
+  const C between = middle(half, tip);
+  add(sums, Corners<C>{start, half, tip}, Corners<C>{middle(start, half), between, middles[(i + 2) % 3]}, at);
+  add(sums, Corners<C>{half, end, tip}, Corners<C>{middle(half, end), middles[(i + 1) % 3], between}, at);
 }
 
 // The largest distance of a side's middle from the mean of its ends, over the largest amplitude at the corners, at the frequency

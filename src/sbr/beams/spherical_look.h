@@ -124,6 +124,8 @@ class SphericalLook {
   auto with_current(const BentFacet& facet, std::uint32_t material, Visit visit) const;
   template <class C, class At>
   void add(const BounceSums& sums, const Corners<C>& triangle, At at) const;
+  template <class C, class At>
+  void add(const BounceSums& sums, const Corners<C>& triangle, const Corners<C>& middles, At at) const;
   template <class C>
   double bend_of(const Corners<C>& corners, const Corners<C>& middles) const;
   template <class C>
