@@ -24,7 +24,7 @@ inline Solved solved(const std::string& mesh, const std::string& text, int threa
   const PlannedCase planned(s.c, target, loaded.report, target.mesh.vertices, threads, true, moving);
   Manifest manifest;
   s.result = solve_case(planned, manifest, {}, kept, nullptr);
-  s.warnings = planned.warnings;
+  s.warnings = std::move(manifest.warnings);
   return s;
 }
 

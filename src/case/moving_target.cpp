@@ -115,10 +115,15 @@ std::vector<MovingTarget::RigidPart> MovingTarget::rigid_parts() const {
 
 LoadedMesh MovingTarget::at_rest() const { return build_target(soup_, case_, mesh_names(case_)); }
 
-std::vector<dvec3> MovingTarget::places(double time) const {
-  std::vector<dvec3> places = points_at(time);
-  for (dvec3& place : places) place *= case_.metres_per_unit;
-  return places;
+std::vector<dvec3> MovingTarget::corners(double time) const {
+  const std::vector<dvec3> points = points_at(time);
+  std::vector<char> is_corner(points.size());
+  for (const auto& polygon : soup_.polygons)
+    for (const std::uint32_t corner : polygon) is_corner[corner] = 1;
+  std::vector<dvec3> corners;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (is_corner[i]) corners.push_back(points[i] * case_.metres_per_unit);
+  return corners;
 }
 
 std::vector<dvec3> MovingTarget::points_at(double time) const {

@@ -39,8 +39,8 @@ class MovingTarget {
   /// With every body where it is at a time [s]. Throws InputError, with that time, for what cannot be there.
   LoadedMesh at(double time) const;
 
-  /// Where the points of all bodies are at a time [m].
-  std::vector<dvec3> places(double time) const;
+  /// Where the corners of all polygons are at a time [m].
+  std::vector<dvec3> corners(double time) const;
 
   /// What moves as one, with a box round it where the mesh has it at rest [m].
   struct RigidPart {

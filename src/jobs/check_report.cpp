@@ -14,7 +14,6 @@
 #include "jobs/inputs.h"
 #include "jobs/material_report.h"
 #include "jobs/retrace.h"
-#include "jobs/warnings/warnings.h"
 #include "mesh/features/symmetry.h"
 #include "mesh/smooth/pieces.h"
 #include "output/words/plural.h"

@@ -81,7 +81,7 @@ void check_antennas_of_pulses(const Case& c, const MovingTarget& target) {
   for (std::size_t pulse = 0; pulse < c.times(); ++pulse) {
     const double time = c.sweep.times[pulse * c.looks_at_a_time()];
     TriangleMesh points;
-    points.vertices = target.places(time);
+    points.vertices = target.corners(time);
     points.center = bounding_box(points.vertices).middle();
     for (dvec3& vertex : points.vertices) vertex -= points.center;
     naming_the_case(c, [&] { saying_when(time, [&] { check_antennas(points, with_looks_of_pulse(rest, c, pulse).sweep); }); });

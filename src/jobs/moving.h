@@ -3,6 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "case/moving_target.h"
 #include "core/work_team.h"
@@ -36,7 +39,8 @@ LoadedCaseTarget load_target_of_plan(const Case& c);
 Case case_of_pulse(const Case& c, std::size_t pulse);
 
 /// Sentences about a case and what its plan is of, before it is solved; `target` is null if it stands, `outermost` are points of
-/// it as wide as all of it. Throws InputError, with the time, if at any of them an antenna has not all of the target in front.
+/// it as wide as all of it. Throws InputError, with the time, if a body moves to where an antenna has not all of the target in
+/// front.
 std::vector<std::string> warnings_before(const Case& c, const SolvePlan& plan, std::span<const dvec3> outermost,
                                          const MovingTarget* target);
 

@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,8 @@
 #include <limits>
 #include <numeric>
 #include <set>
+
+#include "math/dense.h"
 
 namespace raytube {
 
@@ -22,21 +23,31 @@ constexpr double least_share = 1e-4;
 // So many times as there are functions are traced, and one in so many of them to check. Fewer than a third saved: all are.
 constexpr double times_a_function = 1.2, checked_share = 0.1, worth = 2.0 / 3.0;
 // The first samples of each way, and the share of functions that hardly any is.
-constexpr std::size_t samples_a_way = 16;
+constexpr std::size_t samples_a_way = 4;
 constexpr Eigen::Index hardly_any = 16;
+// Of errors at random in both parts, the share e^{-4} is more than twice their root mean square (Rayleigh).
+constexpr double rms_to_error = 2.0;
 // Of an interval, so that linear algebra takes no time to speak of.
 constexpr std::size_t most_pulses = 512;
 // Of the wavelength: by so much places are sampled beyond a box, as amplitudes change with the direction of the path.
 constexpr double beyond_box = 0.25;
-// Of the numbers that places are drawn by, at each stop of a way [axis].
-constexpr std::array<std::array<std::size_t, 3>, 3> place_bases{{{3, 5, 7}, {11, 13, 17}, {19, 23, 29}}};
 
-// The i-th number of the sequence of van der Corput (1935) in a base that is prime; those in several bases are that of Halton.
-double van_der_corput(std::size_t i, std::size_t base) {
-  double value = 0.0, digit = 1.0;
-  for (++i; i > 0; i /= base) digit /= static_cast<double>(base), value += digit * static_cast<double>(i % base);
-  return value;
-}
+// Numbers from 0 to 1 that fill a cube evenly as i goes on: multiples of the roots of primes without their integers (Weyl 1916,
+// Math. Annalen 77, 313), one after the other.
+class Draws {
+ public:
+  explicit Draws(std::size_t i) : i_(static_cast<double>(i + 1)) {}
+
+  double next() {
+    constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47};
+    const double multiple = i_ * std::sqrt(primes[taken_++]);
+    return multiple - std::floor(multiple);
+  }
+
+ private:
+  double i_;
+  std::size_t taken_ = 0;
+};
 
 // What a case tells of its times.
 class Times {
@@ -45,22 +56,19 @@ class Times {
     for (std::size_t pulse = 0; pulse < c.times(); ++pulse) {
       std::vector<dvec3> middles;
       for (const MovingTarget::RigidPart& part : parts_) {
-        poses_.push_back(target.pose_of_part(part, c.sweep.times[pulse * looks()]));
-        middles.push_back(poses_.back()(part.box.middle()));
+        const Pose pose = target.pose_of_part(part, c.sweep.times[pulse * looks()]);
+        Box box;
+        for (const dvec3& corner : corners_of(part.box)) box.add(pose(corner));
+        poses_.push_back(pose), boxes_.push_back(box), middles.push_back(pose(part.box.middle()));
       }
       for (std::size_t of = 0; of < looks(); ++of) {
+        ends_.emplace_back(c.sweep.looks[pulse * looks() + of]);
         double sum = 0.0;
-        for (const dvec3& middle : middles) sum += path_over(look(pulse, of), middle);
+        for (const dvec3& middle : middles) sum += ends_.back().way_to(middle) + ends_.back().way_from(middle);
         mean_paths_.push_back(sum / static_cast<double>(parts_.size()));
       }
     }
-    for (std::size_t a = 0; a < parts_.size(); ++a) {
-      ways_.push_back({a});
-      for (std::size_t b = a + 1; b < parts_.size(); ++b) {
-        ways_.push_back({a, b});
-        if (ever_near(a, b)) ways_.insert(ways_.end(), {{a, b, a}, {b, a, b}});
-      }
-    }
+    find_ways();
   }
 
   std::size_t looks() const { return c_.looks_at_a_time(); }  // of a pulse
@@ -68,83 +76,128 @@ class Times {
 
   // Of the mean path over the middles of all parts, beyond the way over the origin, which S counts from.
   Complex mean_phasor(std::size_t pulse, std::size_t of, double k) const {
-    return phasor(k * (path_over(look(pulse, of), dvec3(0.0)) - mean_path(pulse, of)));
+    const Ends& ends = ends_[pulse * looks() + of];
+    return phasor(k * (ends.way_to(dvec3(0.0)) + ends.way_from(dvec3(0.0)) - mean_path(pulse, of)));
   }
 
   // Of the pulses of an interval [pulse][sample]: phasors of paths over places of the target, less the mean path, at any look and
-  // frequency.
+  // frequency, over ground by way of it or not.
   Matrix samples(std::size_t begin, std::size_t end, std::size_t first, std::size_t count) const {
-    const auto [lowest, highest] = std::ranges::minmax(c_.sweep.frequencies);
     Matrix values(static_cast<Eigen::Index>(end - begin), static_cast<Eigen::Index>(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::vector<std::size_t>& way = ways_[(first + i) % ways()];
-      const std::size_t draw = (first + i) / ways();
-      const auto of = static_cast<std::size_t>(van_der_corput(draw, 31) * static_cast<double>(looks()));
-      const double k = wavenumber(std::lerp(lowest, highest, van_der_corput(draw, 2)));
-      std::vector<dvec3> at_rest;
-      for (std::size_t stop = 0; stop < way.size(); ++stop) at_rest.push_back(place(way[stop], draw, place_bases[stop], k));
-      for (std::size_t pulse = begin; pulse < end; ++pulse) {
-        dvec3 at = posed(way[0], pulse, at_rest[0]);
-        double path = 0.5 * path_over(look(pulse, of), at);
-        for (std::size_t stop = 1; stop < way.size(); ++stop) {
-          const dvec3 next = posed(way[stop], pulse, at_rest[stop]);
-          path += glm::distance(at, next);
-          at = next;
-        }
-        path += 0.5 * path_over(look(pulse, of), at);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+      const Sample sample = drawn((first + i) / ways(), ways_[(first + i) % ways()]);
+      for (std::size_t pulse = begin; pulse < end; ++pulse)
         values(static_cast<Eigen::Index>(pulse - begin), static_cast<Eigen::Index>(i)) =
-            phasor(k * (mean_path(pulse, of) - path));
-      }
-    }
+            phasor(sample.k * (mean_path(pulse, sample.look) - path(sample, pulse)));
+    });
     return values;
   }
 
  private:
-  const Look& look(std::size_t pulse, std::size_t of) const { return c_.sweep.looks[pulse * looks() + of]; }
+  // Where antennas are, or the directions to them.
+  struct Ends {
+    explicit Ends(const Look& look)
+        : far(look.far()),
+          transmit(far ? spherical_basis(look.transmit).radial : look.transmitter().point()),
+          receive(far ? spherical_basis(look.receive).radial : look.receiver().point()) {}
+
+    double way_to(const dvec3& place) const { return far ? -glm::dot(transmit, place) : glm::distance(transmit, place); }
+    double way_from(const dvec3& place) const { return far ? -glm::dot(receive, place) : glm::distance(place, receive); }
+
+    bool far;
+    dvec3 transmit, receive;
+  };
+
+  struct Stop {
+    std::size_t part;
+    dvec3 at_rest;
+    bool by_ground;  // on the way to it
+  };
+  struct Sample {
+    std::size_t look;
+    double k;
+    std::vector<Stop> stops;
+    bool leaves_by_ground;
+  };
+
+  // Over one part, from one to another, and back; over ground, from one by way of it to itself.
+  void find_ways() {
+    for (std::size_t a = 0; a < parts_.size(); ++a) {
+      ways_.push_back({a});
+      if (c_.ground) ways_.push_back({a, a});
+      for (std::size_t b = a + 1; b < parts_.size(); ++b) {
+        ways_.push_back({a, b});
+        if (c_.sweep.bistatic) ways_.push_back({b, a});
+        if (c_.tubes.max_bounces > 2 && ever_near(a, b)) ways_.insert(ways_.end(), {{a, b, a}, {b, a, b}});
+      }
+    }
+  }
+
+  // Whether at any time they are within the distance to which the smaller one, flat and of the diagonal D, sends a beam no wider
+  // than itself, D^2 / wavelength: else little gets from one to the other and back.
+  bool ever_near(std::size_t a, std::size_t b) const {
+    const double narrow = std::min(parts_[a].box.diagonal(), parts_[b].box.diagonal()),
+                 reach = narrow * narrow / wavelength(std::ranges::max(c_.sweep.frequencies));
+    for (std::size_t first = 0; first < boxes_.size(); first += parts_.size()) {
+      const Box &at_a = boxes_[first + a], &at_b = boxes_[first + b];
+      if (glm::length(glm::max(dvec3(0.0), glm::max(at_a.low - at_b.high, at_b.low - at_a.high))) < reach) return true;
+    }
+    return false;
+  }
+
+  Sample drawn(std::size_t i, const std::vector<std::size_t>& way) const {
+    const auto [lowest, highest] = std::ranges::minmax(c_.sweep.frequencies);
+    Draws draws(i);
+    const auto by_ground = [&] { return c_.ground && draws.next() < 0.5; };
+    Sample sample{.look = static_cast<std::size_t>(draws.next() * static_cast<double>(looks())),
+                  .k = wavenumber(std::lerp(lowest, highest, draws.next())),
+                  .stops = {},
+                  .leaves_by_ground = by_ground()};
+    for (const std::size_t part : way) {
+      const bool mirrored = by_ground();
+      sample.stops.push_back({part, place(parts_[part].box, draws, sample.k), mirrored});
+    }
+    return sample;
+  }
+
+  // More of them near the sides of the box, whose paths are the shortest and the longest.
+  static dvec3 place(const Box& box, Draws& draws, double k) {
+    const double beyond = beyond_box * 2.0 * pi / k;
+    dvec3 at;
+    for (int axis = 0; axis < 3; ++axis)
+      at[axis] = std::lerp(box.low[axis] - beyond, box.high[axis] + beyond, 0.5 - 0.5 * std::cos(pi * draws.next()));
+    return at;
+  }
+
+  double path(const Sample& sample, std::size_t pulse) const {
+    const Ends& ends = ends_[pulse * looks() + sample.look];
+    const auto mirrored = [&](const dvec3& r, bool by_ground) {
+      return by_ground ? dvec3(r.x, r.y, 2.0 * c_.ground->height - r.z) : r;
+    };
+    double way = 0.0;
+    dvec3 at{0.0};
+    for (const Stop& stop : sample.stops) {
+      const dvec3 next = poses_[pulse * parts_.size() + stop.part](stop.at_rest), seen = mirrored(next, stop.by_ground);
+      way += &stop == &sample.stops.front() ? ends.way_to(seen) : glm::distance(at, seen);
+      at = next;
+    }
+    return way + ends.way_from(mirrored(at, sample.leaves_by_ground));
+  }
+
+  double mean_path(std::size_t pulse, std::size_t of) const { return mean_paths_[pulse * looks() + of]; }
 
   static Complex phasor(double phase) {
     const double turns = phase / (2.0 * pi);
     return std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
   }
 
-  dvec3 posed(std::size_t part, std::size_t pulse, const dvec3& at_rest) const {
-    return poses_[pulse * parts_.size() + part](at_rest);
-  }
-
-  // Whether at any time the gap between them is narrower than either: else hardly anything gets from one to the other and back.
-  bool ever_near(std::size_t a, std::size_t b) const {
-    const double narrow = std::min(parts_[a].box.diagonal(), parts_[b].box.diagonal());
-    const auto box_of = [&](std::size_t part, std::size_t pulse) {
-      Box box;
-      for (const dvec3& corner : corners_of(parts_[part].box)) box.add(posed(part, pulse, corner));
-      return box;
-    };
-    for (std::size_t pulse = 0; pulse < c_.times(); ++pulse) {
-      const Box box_a = box_of(a, pulse), box_b = box_of(b, pulse);
-      if (glm::length(glm::max(dvec3(0.0), glm::max(box_a.low - box_b.high, box_b.low - box_a.high))) < narrow) return true;
-    }
-    return false;
-  }
-
-  // More of them near the sides of its box, whose paths are the shortest and the longest.
-  dvec3 place(std::size_t part, std::size_t draw, const std::array<std::size_t, 3>& bases, double k) const {
-    const Box& box = parts_[part].box;
-    const double beyond = beyond_box * 2.0 * pi / k;
-    dvec3 at;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double share = 0.5 - 0.5 * std::cos(pi * van_der_corput(draw, bases[static_cast<std::size_t>(axis)]));
-      at[axis] = std::lerp(box.low[axis] - beyond, box.high[axis] + beyond, share);
-    }
-    return at;
-  }
-
-  double mean_path(std::size_t pulse, std::size_t of) const { return mean_paths_[pulse * looks() + of]; }
-
   const Case& c_;
   std::vector<MovingTarget::RigidPart> parts_;
-  std::vector<Pose> poses_;                     // [pulse][part]
-  std::vector<double> mean_paths_;              // [pulse][look], over the middles of all parts [m]
-  std::vector<std::vector<std::size_t>> ways_;  // over one part, from one to another, and back
+  std::vector<Pose> poses_;         // [pulse][part]
+  std::vector<Box> boxes_;          // [pulse][part]
+  std::vector<Ends> ends_;          // [pulse][look]
+  std::vector<double> mean_paths_;  // [pulse][look], over the middles of all parts [m]
+  std::vector<std::vector<std::size_t>> ways_;
 };
 
 std::size_t checks_of(std::size_t fitted) { return 2 + static_cast<std::size_t>(checked_share * static_cast<double>(fitted)); }
@@ -256,8 +309,9 @@ void spread(const std::vector<std::size_t>& source, std::vector<Row>& rows) {
 std::vector<TracedInterval> traced_intervals(const Case& c, const MovingTarget& target) {
   const Times times(c, target);
   const std::size_t pulses = c.times(), count = (pulses + most_pulses - 1) / most_pulses;
-  std::vector<TracedInterval> intervals;
-  for (std::size_t i = 0; i < count; ++i) intervals.push_back(traced(times, i * pulses / count, (i + 1) * pulses / count));
+  std::vector<TracedInterval> intervals(count);
+  tbb::parallel_for(std::size_t{0}, count,
+                    [&](std::size_t i) { intervals[i] = traced(times, i * pulses / count, (i + 1) * pulses / count); });
   return intervals;
 }
 
@@ -283,10 +337,12 @@ Case computed_case(const Case& c, const MovingTarget& target) {
 
 namespace {
 
-// Squares of S at checked times, and of how far off it would have been there.
+// Squares of S at checked times, and of how far off it would have been there, by channel.
 struct Checked {
-  double squares = 0.0, wrong = 0.0;
+  ChannelErrors squares{}, wrong{};
 };
+
+double sum_of(const ChannelErrors& squares) { return squares[0][0] + squares[0][1] + squares[1][0] + squares[1][1]; }
 
 // The rows at the times of an interval that were not traced, in all columns.
 class Between {
@@ -330,14 +386,17 @@ class Between {
         if (!is_traced_[others_[i]])
           row = s;
         else if (&rows == &all.total)
-          checked.wrong += std::norm(frobenius_norm(s - row)), checked.squares += std::norm(frobenius_norm(row));
+          for (int p = 0; p < 2; ++p)
+            for (int q = 0; q < 2; ++q)
+              checked.wrong[p][q] += std::norm(s.at(p, q) - row.at(p, q)), checked.squares[p][q] += std::norm(row.at(p, q));
       }
     });
-    const double off = std::sqrt(0.25 * checked.wrong / static_cast<double>(interval_.checked.size()));
     for (const std::size_t pulse : others_)
       if (!is_traced_[pulse])
-        for (std::array<double, 2>& received : all.error[row_of(pulse)])
-          for (double& error : received) error += off;
+        for (int p = 0; p < 2; ++p)
+          for (int q = 0; q < 2; ++q)
+            all.error[row_of(pulse)][p][q] +=
+                rms_to_error * std::sqrt(checked.wrong[p][q] / static_cast<double>(interval_.checked.size()));
     return checked;
   }
 
@@ -372,7 +431,7 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
   for (LostRay& ray : all.statistics.first_lost_rays) ray.look = pulses[ray.look / looks] * looks + ray.look % looks;
   for (BeyondBound& beyond : all.statistics.beyond_bound)
     beyond.worst = pulses[beyond.worst / per_pulse] * per_pulse + beyond.worst % per_pulse;
-  Checked sum;
+  double squares = 0.0, wrong = 0.0;
   for (const TracedInterval& interval : intervals) {
     if (interval.fitted.size() == interval.end - interval.begin) continue;
     const Between between(times, interval, is_traced);
@@ -382,14 +441,14 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
       checked[i] = between.find(
           i / frequencies, k, [&](std::size_t pulse) { return pulse * per_pulse + i; }, all);
     });
-    for (const Checked& each : checked) sum.squares += each.squares, sum.wrong += each.wrong;
+    for (const Checked& each : checked) squares += sum_of(each.squares), wrong += sum_of(each.wrong);
   }
   put({"times_traced", {}, pulses.size()}, all.statistics.counts);
   if (const std::size_t found = is_traced.size() - pulses.size(); found > 0)
-    all.statistics.skipped.push_back({"times",
+    all.statistics.skipped.push_back({times_between,
                                       "motion.retrace is \"auto\": S at these is found between those that were; where it was "
                                       "checked it was off by {:.2g} of S",
-                                      found, std::sqrt(sum.wrong / std::max(sum.squares, std::numeric_limits<double>::min()))});
+                                      found, std::sqrt(wrong / std::max(squares, std::numeric_limits<double>::min()))});
   return all;
 }
 

@@ -1,6 +1,6 @@
 // Pulses that are not traced: what bodies add to S between those that are.
 //
-// S is a sum over places of the target of e^{-jkL}, L the path over one place, or from one to another, times amplitudes that
+// S is a sum over places of the target of e^{-jkL}, L the path over one place, or from one to others, times amplitudes that
 // change slowly. Where places are at any time is known from the motion of the parts they are on. So a sample of such phasors, of
 // places all over the boxes of the parts, spans what S may be at the pulses of an interval, to a small share; and a basis of it,
 // of some functions more than there are Doppler cells in the band of the target (Landau and Pollak 1962, Bell System Technical

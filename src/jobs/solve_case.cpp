@@ -1,5 +1,7 @@
 #include "jobs/solve_case.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "jobs/memory.h"
 #include "jobs/solvable.h"
 #include "output/words/summary.h"
+#include "scene/tolerance.h"
 
 namespace raytube {
 
@@ -22,6 +25,12 @@ std::vector<std::string> warnings_of_result(const PlannedCase& planned, const St
   for (const std::string& sentence : {duplicates_sentence(planned.report), overlap_note(c, planned.plan.target).sentence})
     if (!sentence.empty()) sentences.push_back(sentence);
   for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
+  for (const Skipped& skipped : statistics.skipped)
+    if (skipped.what == times_between && skipped.figure > relative_tolerance(c.tubes.tolerance_db))
+      sentences.push_back(fmt::format(
+          "{}: S between traced times is off by {:.2g} of S where it was checked; write motion.retrace = \"every\", or "
+          "take err_*_db into account",
+          c.motion->location, skipped.figure));
   if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));
   return sentences;
 }

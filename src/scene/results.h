@@ -23,6 +23,9 @@ struct Skipped {
   static void members(auto& s, auto&& take) { take(s.what), take(s.why), take(s.count), take(s.figure); }
 };
 
+/// `what` of the times of a scene that moves between those that were traced; `figure` is the share of S that it is off by there.
+inline constexpr const char* times_between = "times";
+
 /// Why it was skipped, with the figure.
 std::string reason_of(const Skipped& skipped);
 

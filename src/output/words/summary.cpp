@@ -77,6 +77,9 @@ std::string levels_text(const LargestErrors& errors) {
 }
 
 std::string remedy(const SweepResult& result, const RunFacts& facts) {
+  const auto times = std::ranges::find(result.statistics.skipped, std::string_view(times_between), &Skipped::what);
+  if (times != result.statistics.skipped.end() && times->figure > relative_tolerance(facts.tubes.tolerance_db))
+    return "write motion.retrace = \"every\"";
   const std::string text = fmt::format("raise tubes.per_wavelength ({})", number_text(facts.tubes.max_per_wavelength));
   if (!facts.materials || result.statistics.truncated[Truncation::bounces].tubes == 0) return text;
   return text + fmt::format(" or tubes.max_bounces ({})", facts.tubes.max_bounces);
