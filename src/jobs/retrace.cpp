@@ -22,11 +22,15 @@ using Matrix = Eigen::MatrixXcd;
 constexpr double least_share = 1e-4;
 // So many times as there are functions are traced, and one in so many of them to check. Fewer than a third saved: all are.
 constexpr double times_a_function = 1.2, checked_share = 0.1, worth = 2.0 / 3.0;
-// The first samples of each way, and the share of functions that hardly any is.
-constexpr std::size_t samples_a_way = 4;
+// The first samples of each kind, and the share of functions that hardly any is.
+constexpr std::size_t samples_of_a_kind = 4;
 constexpr Eigen::Index hardly_any = 16;
-// Of errors at random in both parts, the share e^{-4} is more than twice their root mean square (Rayleigh).
-constexpr double rms_to_error = 2.0;
+// Of errors at random in both parts the share e^{-4} is beyond this times their root mean square, known from so many of them: a
+// share of (1 + c^2 / n)^{-n} is beyond c times it, as squares of both are sums of exponential variables.
+double error_of_rms(std::size_t checks) {
+  const auto n = static_cast<double>(checks);
+  return std::sqrt(n * (std::exp(4.0 / n) - 1.0));
+}
 // Of an interval, so that linear algebra takes no time to speak of.
 constexpr std::size_t most_pulses = 512;
 // Of the wavelength: by so much places are sampled beyond a box, as amplitudes change with the direction of the path.
@@ -39,8 +43,8 @@ class Draws {
   explicit Draws(std::size_t i) : i_(static_cast<double>(i + 1)) {}
 
   double next() {
-    constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47};
-    const double multiple = i_ * std::sqrt(primes[taken_++]);
+    constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71};
+    const double multiple = i_ * std::sqrt(primes.at(taken_++));
     return multiple - std::floor(multiple);
   }
 
@@ -71,8 +75,8 @@ class Times {
     find_ways();
   }
 
-  std::size_t looks() const { return c_.looks_at_a_time(); }  // of a pulse
-  std::size_t ways() const { return ways_.size(); }           // from part to part
+  std::size_t looks() const { return c_.looks_at_a_time(); }    // of a pulse
+  std::size_t kinds() const { return ways_.size() * looks(); }  // of samples: a way from part to part at a look
 
   // Of the mean path over the middles of all parts, beyond the way over the origin, which S counts from.
   Complex mean_phasor(std::size_t pulse, std::size_t of, double k) const {
@@ -80,15 +84,17 @@ class Times {
     return phasor(k * (ends.way_to(dvec3(0.0)) + ends.way_from(dvec3(0.0)) - mean_path(pulse, of)));
   }
 
-  // Of the pulses of an interval [pulse][sample]: phasors of paths over places of the target, less the mean path, at any look and
-  // frequency, over ground by way of it or not.
+  // Of the pulses of an interval [pulse][sample]: phasors of paths over places of the target, less the mean path, at every look
+  // and any frequency, over ground by way of it or not, times what polarisation makes of them. Columns have one length.
   Matrix samples(std::size_t begin, std::size_t end, std::size_t first, std::size_t count) const {
     Matrix values(static_cast<Eigen::Index>(end - begin), static_cast<Eigen::Index>(count));
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      const Sample sample = drawn((first + i) / ways(), ways_[(first + i) % ways()]);
+      const Sample sample = drawn(first + i);
+      auto column = values.col(static_cast<Eigen::Index>(i));
       for (std::size_t pulse = begin; pulse < end; ++pulse)
-        values(static_cast<Eigen::Index>(pulse - begin), static_cast<Eigen::Index>(i)) =
-            phasor(sample.k * (mean_path(pulse, sample.look) - path(sample, pulse)));
+        column(static_cast<Eigen::Index>(pulse - begin)) =
+            polarisation(sample, pulse) * phasor(sample.k * (mean_path(pulse, sample.look) - path(sample, pulse)));
+      if (const double length = column.norm(); length > 0.0) column *= std::sqrt(static_cast<double>(end - begin)) / length;
     });
     return values;
   }
@@ -98,13 +104,16 @@ class Times {
   struct Ends {
     explicit Ends(const Look& look)
         : far(look.far()),
-          transmit(far ? spherical_basis(look.transmit).radial : look.transmitter().point()),
-          receive(far ? spherical_basis(look.receive).radial : look.receiver().point()) {}
+          transmit_basis(spherical_basis(look.transmit)),
+          receive_basis(spherical_basis(look.receive)),
+          transmit(far ? transmit_basis.radial : look.transmitter().point()),
+          receive(far ? receive_basis.radial : look.receiver().point()) {}
 
     double way_to(const dvec3& place) const { return far ? -glm::dot(transmit, place) : glm::distance(transmit, place); }
     double way_from(const dvec3& place) const { return far ? -glm::dot(receive, place) : glm::distance(place, receive); }
 
     bool far;
+    SphericalBasis transmit_basis, receive_basis;
     dvec3 transmit, receive;
   };
 
@@ -118,13 +127,16 @@ class Times {
     double k;
     std::vector<Stop> stops;
     bool leaves_by_ground;
+    std::array<double, 2> channel;     // angles of the fields from V to H: of the transmitter's, and of the receiver's
+    std::array<dvec3, 2> on_the_body;  // along which the first part takes the field up, and the last one gives it
   };
 
-  // Over one part, from one to another, and back; over ground, from one by way of it to itself.
+  // Over one part, from one to another, and back; from one place to another of one part where that is not as over a place
+  // between: by way of a ground, and where transmitter and receiver are apart.
   void find_ways() {
     for (std::size_t a = 0; a < parts_.size(); ++a) {
       ways_.push_back({a});
-      if (c_.ground) ways_.push_back({a, a});
+      if (c_.ground || c_.sweep.bistatic) ways_.push_back({a, a});
       for (std::size_t b = a + 1; b < parts_.size(); ++b) {
         ways_.push_back({a, b});
         if (c_.sweep.bistatic) ways_.push_back({b, a});
@@ -145,15 +157,21 @@ class Times {
     return false;
   }
 
-  Sample drawn(std::size_t i, const std::vector<std::size_t>& way) const {
+  Sample drawn(std::size_t i) const {
     const auto [lowest, highest] = std::ranges::minmax(c_.sweep.frequencies);
-    Draws draws(i);
+    Draws draws(i / kinds());
     const auto by_ground = [&] { return c_.ground && draws.next() < 0.5; };
-    Sample sample{.look = static_cast<std::size_t>(draws.next() * static_cast<double>(looks())),
+    const auto direction = [&] {
+      const double z = 2.0 * draws.next() - 1.0, azimuth = 2.0 * pi * draws.next(), across = std::sqrt(1.0 - z * z);
+      return dvec3(across * std::cos(azimuth), across * std::sin(azimuth), z);
+    };
+    Sample sample{.look = i / ways_.size() % looks(),
                   .k = wavenumber(std::lerp(lowest, highest, draws.next())),
                   .stops = {},
-                  .leaves_by_ground = by_ground()};
-    for (const std::size_t part : way) {
+                  .leaves_by_ground = by_ground(),
+                  .channel = {pi * draws.next(), pi * draws.next()},
+                  .on_the_body = {direction(), direction()}};
+    for (const std::size_t part : ways_[i % ways_.size()]) {
       const bool mirrored = by_ground();
       sample.stops.push_back({part, place(parts_[part].box, draws, sample.k), mirrored});
     }
@@ -182,6 +200,17 @@ class Times {
       at = next;
     }
     return way + ends.way_from(mirrored(at, sample.leaves_by_ground));
+  }
+
+  // Amplitudes are linear in the fields of transmitter and receiver as the body sees them, which turn with it.
+  double polarisation(const Sample& sample, std::size_t pulse) const {
+    const Ends& ends = ends_[pulse * looks() + sample.look];
+    const auto turned = [&](const Stop& stop, const SphericalBasis& basis, std::size_t end) {
+      const double angle = sample.channel[end];
+      return glm::dot(std::cos(angle) * basis.theta_hat + std::sin(angle) * basis.phi_hat,
+                      poses_[pulse * parts_.size() + stop.part].turn * sample.on_the_body[end]);
+    };
+    return turned(sample.stops.front(), ends.transmit_basis, 0) * turned(sample.stops.back(), ends.receive_basis, 1);
   }
 
   double mean_path(std::size_t pulse, std::size_t of) const { return mean_paths_[pulse * looks() + of]; }
@@ -235,7 +264,7 @@ Matrix basis_of(const Times& times, std::size_t begin, std::size_t end) {
   const auto pulses = static_cast<Eigen::Index>(end - begin);
   const double least = least_share * std::sqrt(static_cast<double>(pulses));
   Matrix basis(pulses, 0);
-  for (std::size_t taken = 0, until = samples_a_way * times.ways();; until *= 2) {
+  for (std::size_t taken = 0, until = samples_of_a_kind * times.kinds();; until *= 2) {
     const Eigen::Index before = basis.cols();
     for (; taken < until && traced_share(basis) <= worth; taken += std::min(at_once, until - taken))
       extend(basis, times.samples(begin, end, taken, std::min(at_once, until - taken)), least);
@@ -395,8 +424,8 @@ class Between {
       if (!is_traced_[pulse])
         for (int p = 0; p < 2; ++p)
           for (int q = 0; q < 2; ++q)
-            all.error[row_of(pulse)][p][q] +=
-                rms_to_error * std::sqrt(checked.wrong[p][q] / static_cast<double>(interval_.checked.size()));
+            all.error[row_of(pulse)][p][q] += error_of_rms(interval_.checked.size()) *
+                                              std::sqrt(checked.wrong[p][q] / static_cast<double>(interval_.checked.size()));
     return checked;
   }
 
@@ -431,7 +460,7 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
   for (LostRay& ray : all.statistics.first_lost_rays) ray.look = pulses[ray.look / looks] * looks + ray.look % looks;
   for (BeyondBound& beyond : all.statistics.beyond_bound)
     beyond.worst = pulses[beyond.worst / per_pulse] * per_pulse + beyond.worst % per_pulse;
-  double squares = 0.0, wrong = 0.0;
+  double off = 0.0;  // the largest share of S at a look and frequency
   for (const TracedInterval& interval : intervals) {
     if (interval.fitted.size() == interval.end - interval.begin) continue;
     const Between between(times, interval, is_traced);
@@ -441,14 +470,16 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
       checked[i] = between.find(
           i / frequencies, k, [&](std::size_t pulse) { return pulse * per_pulse + i; }, all);
     });
-    for (const Checked& each : checked) squares += sum_of(each.squares), wrong += sum_of(each.wrong);
+    for (const Checked& each : checked)
+      if (const double squares = sum_of(each.squares); squares > 0.0)
+        off = std::max(off, std::sqrt(sum_of(each.wrong) / squares));
   }
   put({"times_traced", {}, pulses.size()}, all.statistics.counts);
   if (const std::size_t found = is_traced.size() - pulses.size(); found > 0)
     all.statistics.skipped.push_back({times_between,
                                       "motion.retrace is \"auto\": S at these is found between those that were; where it was "
-                                      "checked it was off by {:.2g} of S",
-                                      found, std::sqrt(wrong / std::max(squares, std::numeric_limits<double>::min()))});
+                                      "checked it was off by {:.2g} of S at most, of a look and a frequency",
+                                      found, off});
   return all;
 }
 

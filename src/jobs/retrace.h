@@ -31,7 +31,7 @@ Case traced_case(const Case& c, const std::vector<TracedInterval>& intervals);
 Case computed_case(const Case& c, const MovingTarget& target);
 
 /// All rows of the case, from those of the traced times. Where there are both, what was computed stays; the others are told in
-/// `skipped`, with how far off the checked times would have been; by as much their errors grow.
+/// `skipped`, with how far off the checked times would have been; their errors grow by what holds of most of them.
 SweepResult with_all_times(const Case& c, const MovingTarget& target, const std::vector<TracedInterval>& intervals,
                            SweepResult traced);
 

@@ -27,10 +27,10 @@ std::vector<std::string> warnings_of_result(const PlannedCase& planned, const St
   for (const BeyondBound& part : statistics.beyond_bound) sentences.push_back(beyond_bound_sentence(part));
   for (const Skipped& skipped : statistics.skipped)
     if (skipped.what == times_between && skipped.figure > relative_tolerance(c.tubes.tolerance_db))
-      sentences.push_back(fmt::format(
-          "{}: S between traced times is off by {:.2g} of S where it was checked; write motion.retrace = \"every\", or "
-          "take err_*_db into account",
-          c.motion->location, skipped.figure));
+      sentences.push_back(
+          fmt::format("S between traced times is off by up to {:.2g} of S where it was checked; write motion.retrace = "
+                      "\"every\", or take err_*_db into account",
+                      skipped.figure));
   if (statistics.lost_rays > 0) sentences.push_back(lost_rays_sentence(statistics, c.metres_per_unit, c.unit));
   return sentences;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double shortest = 0.5;
 
 // Of the sum of the parts' amplitudes: by how much interpolation between wavenumbers may be off.
-constexpr double least_share = 1e-10;
+constexpr double least_share = 1e-12;
 
 struct Components {
   double u, v, d;

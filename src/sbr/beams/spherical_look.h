@@ -56,7 +56,7 @@ class SphericalLook {
 
   /// Adds S of the currents of bounce `bounce` on a polygon of launch coordinates on the plane that `outgoing` leaves, at every
   /// wavenumber, and what quadrature may have left. Of many wavenumbers currents on perfect conductors are computed at a few and
-  /// interpolated, to 1e-10 of their amplitudes' sum.
+  /// interpolated, to 1e-12 of their amplitudes' sum.
   void add(const Sums& sums, int bounce, const Beam& outgoing, const Patch& plane, const ConvexPolygon& polygon) const;
 
   /// Adds S of the currents of the first bounce on the part of a curved surface over a facet of this material, lit by the

