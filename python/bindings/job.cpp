@@ -97,9 +97,10 @@ Json Job::check(int threads) const {
   const MovingTarget* const moving = built->moving.get();
   const Case part = case_of_plan(asked, moving);
   const SolvePlan plan = plan_of_case(built->target, part, threads_of(threads), false);
-  Json data = check_data(asked, built->report, plan, moving);
+  const std::size_t plans = plans_of(asked, moving);
+  Json data = check_data(asked, built->report, plan, moving, plans);
   check_memory(plan, asked);
-  data.update(time_data(plan, predicted_time(plan, plans_of(asked, moving))));
+  data.update(time_data(plan, predicted_time(plan, plans)));
   return data;
 }
 

@@ -249,7 +249,7 @@ std::string MovingTarget::ambiguity(const Sweep& sweep) const {
     for (const RigidPart& part : parts) {
       const Pose first = pose_of_part(part, sweep.times[before]), then = pose_of_part(part, sweep.times[now]);
       for (const dvec3& at : corners_of(part.box)) {
-        const double change = std::abs(path_over(sweep.looks[now], then(at)) - path_over(sweep.looks[before], first(at)));
+        const double change = std::abs(Ways(sweep.looks[now]).over(then(at)) - Ways(sweep.looks[before]).over(first(at)));
         if (change > largest) largest = change, interval = sweep.times[now] - sweep.times[before], fastest = part.mover;
       }
     }

@@ -240,7 +240,7 @@ std::size_t plans_of(const Case& c, const MovingTarget* moving) {
   return moving && !is_one_plan(c, *moving) ? computed_case(c, *moving).times() : 1;
 }
 
-Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving) {
+Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving, std::size_t plans) {
   Json data;
   data["case_file"] = c.file.string();
   data["case"] = resolved_case(c);
@@ -257,7 +257,7 @@ Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, 
   data["mechanisms"] = mechanisms_json(plan);
   data["skipped"] = skipped_lines(counts, plan);
   data["warnings"] = warnings_json(c, counts, plan, moving);
-  data["looks_computed"] = plan.looks.computed.size() * plans_of(c, moving);
+  data["looks_computed"] = plan.looks.computed.size() * plans;
   data["launch_grid"] = launch_grid_json(plan);
   if (plan.rays()) data["ray_range_m"] = plan.ray_range;
   data["memory_bytes"] = memory_of_run(plan, c).leader;

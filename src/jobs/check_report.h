@@ -12,8 +12,9 @@
 namespace raytube {
 
 /// The case, its size, mesh, materials, wedges, curved surfaces, mechanisms, what is skipped, warnings, cost and memory. The plan
-/// is that of the case; of one that moves that of case_of_plan, and `moving` is its target.
-Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving = nullptr);
+/// is that of the case; of one that moves that of case_of_plan, `moving` is its target, and a run solves so many `plans` as this
+/// one.
+Json check_data(const Case& c, const MeshReport& counts, const SolvePlan& plan, const MovingTarget* moving, std::size_t plans);
 
 /// How many plans as this one a run solves.
 std::size_t plans_of(const Case& c, const MovingTarget* moving);

@@ -142,7 +142,8 @@ Case case_of_plan(const Case& c, const MovingTarget& target) {
 }
 
 Case case_of_plan(const Case& c, const MovingTarget* target) {
-  return target ? case_of_plan(computed_case(c, *target), *target) : c;
+  if (!target) return c;
+  return case_of_plan(is_one_plan(c, *target) ? computed_case(c, *target) : c, *target);
 }
 
 LoadedMesh mesh_of_plan(const Case& c, const MovingTarget& target) {

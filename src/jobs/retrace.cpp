@@ -3,13 +3,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
 
+#include "jobs/path_samples.h"
 #include "math/dense.h"
 
 namespace raytube {
@@ -33,202 +33,6 @@ double error_of_rms(std::size_t checks) {
 }
 // Of an interval, so that linear algebra takes no time to speak of.
 constexpr std::size_t most_pulses = 512;
-// Of the wavelength: by so much places are sampled beyond a box, as amplitudes change with the direction of the path.
-constexpr double beyond_box = 0.25;
-
-// Numbers from 0 to 1 that fill a cube evenly as i goes on: multiples of the roots of primes without their integers (Weyl 1916,
-// Math. Annalen 77, 313), one after the other.
-class Draws {
- public:
-  explicit Draws(std::size_t i) : i_(static_cast<double>(i + 1)) {}
-
-  double next() {
-    constexpr std::array primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71};
-    const double multiple = i_ * std::sqrt(primes.at(taken_++));
-    return multiple - std::floor(multiple);
-  }
-
- private:
-  double i_;
-  std::size_t taken_ = 0;
-};
-
-// What a case tells of its times.
-class Times {
- public:
-  Times(const Case& c, const MovingTarget& target) : c_(c), parts_(target.rigid_parts()) {
-    for (std::size_t pulse = 0; pulse < c.times(); ++pulse) {
-      std::vector<dvec3> middles;
-      for (const MovingTarget::RigidPart& part : parts_) {
-        const Pose pose = target.pose_of_part(part, c.sweep.times[pulse * looks()]);
-        Box box;
-        for (const dvec3& corner : corners_of(part.box)) box.add(pose(corner));
-        poses_.push_back(pose), boxes_.push_back(box), middles.push_back(pose(part.box.middle()));
-      }
-      for (std::size_t of = 0; of < looks(); ++of) {
-        ends_.emplace_back(c.sweep.looks[pulse * looks() + of]);
-        double sum = 0.0;
-        for (const dvec3& middle : middles) sum += ends_.back().way_to(middle) + ends_.back().way_from(middle);
-        mean_paths_.push_back(sum / static_cast<double>(parts_.size()));
-      }
-    }
-    find_ways();
-  }
-
-  std::size_t looks() const { return c_.looks_at_a_time(); }    // of a pulse
-  std::size_t kinds() const { return ways_.size() * looks(); }  // of samples: a way from part to part at a look
-
-  // Of the mean path over the middles of all parts, beyond the way over the origin, which S counts from.
-  Complex mean_phasor(std::size_t pulse, std::size_t of, double k) const {
-    const Ends& ends = ends_[pulse * looks() + of];
-    return phasor(k * (ends.way_to(dvec3(0.0)) + ends.way_from(dvec3(0.0)) - mean_path(pulse, of)));
-  }
-
-  // Of the pulses of an interval [pulse][sample]: phasors of paths over places of the target, less the mean path, at every look
-  // and any frequency, over ground by way of it or not, times what polarisation makes of them. Columns have one length.
-  Matrix samples(std::size_t begin, std::size_t end, std::size_t first, std::size_t count) const {
-    Matrix values(static_cast<Eigen::Index>(end - begin), static_cast<Eigen::Index>(count));
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-      const Sample sample = drawn(first + i);
-      auto column = values.col(static_cast<Eigen::Index>(i));
-      for (std::size_t pulse = begin; pulse < end; ++pulse)
-        column(static_cast<Eigen::Index>(pulse - begin)) =
-            polarisation(sample, pulse) * phasor(sample.k * (mean_path(pulse, sample.look) - path(sample, pulse)));
-      if (const double length = column.norm(); length > 0.0) column *= std::sqrt(static_cast<double>(end - begin)) / length;
-    });
-    return values;
-  }
-
- private:
-  // Where antennas are, or the directions to them.
-  struct Ends {
-    explicit Ends(const Look& look)
-        : far(look.far()),
-          transmit_basis(spherical_basis(look.transmit)),
-          receive_basis(spherical_basis(look.receive)),
-          transmit(far ? transmit_basis.radial : look.transmitter().point()),
-          receive(far ? receive_basis.radial : look.receiver().point()) {}
-
-    double way_to(const dvec3& place) const { return far ? -glm::dot(transmit, place) : glm::distance(transmit, place); }
-    double way_from(const dvec3& place) const { return far ? -glm::dot(receive, place) : glm::distance(place, receive); }
-
-    bool far;
-    SphericalBasis transmit_basis, receive_basis;
-    dvec3 transmit, receive;
-  };
-
-  struct Stop {
-    std::size_t part;
-    dvec3 at_rest;
-    bool by_ground;  // on the way to it
-  };
-  struct Sample {
-    std::size_t look;
-    double k;
-    std::vector<Stop> stops;
-    bool leaves_by_ground;
-    std::array<double, 2> channel;     // angles of the fields from V to H: of the transmitter's, and of the receiver's
-    std::array<dvec3, 2> on_the_body;  // along which the first part takes the field up, and the last one gives it
-  };
-
-  // Over one part, from one to another, and back; from one place to another of one part where that is not as over a place
-  // between: by way of a ground, and where transmitter and receiver are apart.
-  void find_ways() {
-    for (std::size_t a = 0; a < parts_.size(); ++a) {
-      ways_.push_back({a});
-      if (c_.ground || c_.sweep.bistatic) ways_.push_back({a, a});
-      for (std::size_t b = a + 1; b < parts_.size(); ++b) {
-        ways_.push_back({a, b});
-        if (c_.sweep.bistatic) ways_.push_back({b, a});
-        if (c_.tubes.max_bounces > 2 && ever_near(a, b)) ways_.insert(ways_.end(), {{a, b, a}, {b, a, b}});
-      }
-    }
-  }
-
-  // Whether at any time they are within the distance to which the smaller one, flat and of the diagonal D, sends a beam no wider
-  // than itself, D^2 / wavelength: else little gets from one to the other and back.
-  bool ever_near(std::size_t a, std::size_t b) const {
-    const double narrow = std::min(parts_[a].box.diagonal(), parts_[b].box.diagonal()),
-                 reach = narrow * narrow / wavelength(std::ranges::max(c_.sweep.frequencies));
-    for (std::size_t first = 0; first < boxes_.size(); first += parts_.size()) {
-      const Box &at_a = boxes_[first + a], &at_b = boxes_[first + b];
-      if (glm::length(glm::max(dvec3(0.0), glm::max(at_a.low - at_b.high, at_b.low - at_a.high))) < reach) return true;
-    }
-    return false;
-  }
-
-  Sample drawn(std::size_t i) const {
-    const auto [lowest, highest] = std::ranges::minmax(c_.sweep.frequencies);
-    Draws draws(i / kinds());
-    const auto by_ground = [&] { return c_.ground && draws.next() < 0.5; };
-    const auto direction = [&] {
-      const double z = 2.0 * draws.next() - 1.0, azimuth = 2.0 * pi * draws.next(), across = std::sqrt(1.0 - z * z);
-      return dvec3(across * std::cos(azimuth), across * std::sin(azimuth), z);
-    };
-    Sample sample{.look = i / ways_.size() % looks(),
-                  .k = wavenumber(std::lerp(lowest, highest, draws.next())),
-                  .stops = {},
-                  .leaves_by_ground = by_ground(),
-                  .channel = {pi * draws.next(), pi * draws.next()},
-                  .on_the_body = {direction(), direction()}};
-    for (const std::size_t part : ways_[i % ways_.size()]) {
-      const bool mirrored = by_ground();
-      sample.stops.push_back({part, place(parts_[part].box, draws, sample.k), mirrored});
-    }
-    return sample;
-  }
-
-  // More of them near the sides of the box, whose paths are the shortest and the longest.
-  static dvec3 place(const Box& box, Draws& draws, double k) {
-    const double beyond = beyond_box * 2.0 * pi / k;
-    dvec3 at;
-    for (int axis = 0; axis < 3; ++axis)
-      at[axis] = std::lerp(box.low[axis] - beyond, box.high[axis] + beyond, 0.5 - 0.5 * std::cos(pi * draws.next()));
-    return at;
-  }
-
-  double path(const Sample& sample, std::size_t pulse) const {
-    const Ends& ends = ends_[pulse * looks() + sample.look];
-    const auto mirrored = [&](const dvec3& r, bool by_ground) {
-      return by_ground ? dvec3(r.x, r.y, 2.0 * c_.ground->height - r.z) : r;
-    };
-    double way = 0.0;
-    dvec3 at{0.0};
-    for (const Stop& stop : sample.stops) {
-      const dvec3 next = poses_[pulse * parts_.size() + stop.part](stop.at_rest), seen = mirrored(next, stop.by_ground);
-      way += &stop == &sample.stops.front() ? ends.way_to(seen) : glm::distance(at, seen);
-      at = next;
-    }
-    return way + ends.way_from(mirrored(at, sample.leaves_by_ground));
-  }
-
-  // Amplitudes are linear in the fields of transmitter and receiver as the body sees them, which turn with it.
-  double polarisation(const Sample& sample, std::size_t pulse) const {
-    const Ends& ends = ends_[pulse * looks() + sample.look];
-    const auto turned = [&](const Stop& stop, const SphericalBasis& basis, std::size_t end) {
-      const double angle = sample.channel[end];
-      return glm::dot(std::cos(angle) * basis.theta_hat + std::sin(angle) * basis.phi_hat,
-                      poses_[pulse * parts_.size() + stop.part].turn * sample.on_the_body[end]);
-    };
-    return turned(sample.stops.front(), ends.transmit_basis, 0) * turned(sample.stops.back(), ends.receive_basis, 1);
-  }
-
-  double mean_path(std::size_t pulse, std::size_t of) const { return mean_paths_[pulse * looks() + of]; }
-
-  static Complex phasor(double phase) {
-    const double turns = phase / (2.0 * pi);
-    return std::polar(1.0, 2.0 * pi * (turns - std::round(turns)));
-  }
-
-  const Case& c_;
-  std::vector<MovingTarget::RigidPart> parts_;
-  std::vector<Pose> poses_;         // [pulse][part]
-  std::vector<Box> boxes_;          // [pulse][part]
-  std::vector<Ends> ends_;          // [pulse][look]
-  std::vector<double> mean_paths_;  // [pulse][look], over the middles of all parts [m]
-  std::vector<std::vector<std::size_t>> ways_;
-};
-
 std::size_t checks_of(std::size_t fitted) { return 2 + static_cast<std::size_t>(checked_share * static_cast<double>(fitted)); }
 
 std::size_t fitted_of(const Matrix& basis) {
@@ -259,15 +63,18 @@ void extend(Matrix& basis, Matrix columns, double least) {
 
 // An orthonormal basis of what S may be at the pulses of an interval, but for the mean phasor; or so many columns that all are
 // traced. Samples are taken until as many again add hardly anything.
-Matrix basis_of(const Times& times, std::size_t begin, std::size_t end) {
+Matrix basis_of(const PathSamples& samples, std::size_t begin, std::size_t end) {
   constexpr std::size_t at_once = 128;
   const auto pulses = static_cast<Eigen::Index>(end - begin);
   const double least = least_share * std::sqrt(static_cast<double>(pulses));
   Matrix basis(pulses, 0);
-  for (std::size_t taken = 0, until = samples_of_a_kind * times.kinds();; until *= 2) {
+  for (std::size_t taken = 0, until = samples_of_a_kind * samples.kinds();; until *= 2) {
     const Eigen::Index before = basis.cols();
-    for (; taken < until && traced_share(basis) <= worth; taken += std::min(at_once, until - taken))
-      extend(basis, times.samples(begin, end, taken, std::min(at_once, until - taken)), least);
+    for (; taken < until && traced_share(basis) <= worth; taken += std::min(at_once, until - taken)) {
+      const std::size_t count = std::min(at_once, until - taken);
+      const std::vector<Complex> columns = samples.columns(begin, end, taken, count);
+      extend(basis, Eigen::Map<const Matrix>(columns.data(), pulses, static_cast<Eigen::Index>(count)), least);
+    }
     if (basis.cols() - before <= before / hardly_any || traced_share(basis) > worth) return basis;
   }
 }
@@ -286,8 +93,16 @@ std::set<std::size_t> telling_pulses(const Matrix& basis, std::size_t count) {
   return chosen;
 }
 
-TracedInterval traced(const Times& times, std::size_t begin, std::size_t end) {
-  TracedInterval interval{begin, end, {}, {}};
+// The pulses that are not fitted.
+std::vector<std::size_t> others_of(const TracedInterval& interval) {
+  std::vector<std::size_t> others;
+  for (std::size_t pulse = interval.begin; pulse < interval.end; ++pulse)
+    if (!std::ranges::binary_search(interval.fitted, pulse)) others.push_back(pulse);
+  return others;
+}
+
+TracedInterval traced(const PathSamples& samples, std::size_t begin, std::size_t end) {
+  TracedInterval interval{begin, end, {}, {}, {}};
   const std::size_t pulses = end - begin;
   const auto all = [&] {
     interval.fitted.resize(pulses);
@@ -295,7 +110,7 @@ TracedInterval traced(const Times& times, std::size_t begin, std::size_t end) {
     return interval;
   };
   if (static_cast<double>(pulses) * worth < 4.0) return all();
-  const Matrix basis = basis_of(times, begin, end);
+  const Matrix basis = basis_of(samples, begin, end);
   if (traced_share(basis) > worth) return all();
   const std::size_t checks = checks_of(fitted_of(basis));
   const std::set<std::size_t> chosen = telling_pulses(basis, fitted_of(basis));
@@ -306,6 +121,16 @@ TracedInterval traced(const Times& times, std::size_t begin, std::size_t end) {
     if (pulse < pulses && (interval.checked.empty() || interval.checked.back() < begin + pulse))
       interval.checked.push_back(begin + pulse);
   }
+  const auto at = [&](const std::vector<std::size_t>& some) {
+    Matrix rows(static_cast<Eigen::Index>(some.size()), basis.cols());
+    for (std::size_t i = 0; i < some.size(); ++i)
+      rows.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(some[i] - begin));
+    return rows;
+  };
+  const auto fitted = static_cast<Eigen::Index>(interval.fitted.size());
+  const Matrix from_fitted =
+      at(others_of(interval)) * Eigen::ColPivHouseholderQR<Matrix>(at(interval.fitted)).solve(Matrix::Identity(fitted, fitted));
+  interval.from_fitted.assign(from_fitted.data(), from_fitted.data() + from_fitted.size());
   return interval;
 }
 
@@ -336,11 +161,11 @@ void spread(const std::vector<std::size_t>& source, std::vector<Row>& rows) {
 }  // namespace
 
 std::vector<TracedInterval> traced_intervals(const Case& c, const MovingTarget& target) {
-  const Times times(c, target);
+  const PathSamples samples(c, target);
   const std::size_t pulses = c.times(), count = (pulses + most_pulses - 1) / most_pulses;
   std::vector<TracedInterval> intervals(count);
   tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t i) { intervals[i] = traced(times, i * pulses / count, (i + 1) * pulses / count); });
+                    [&](std::size_t i) { intervals[i] = traced(samples, i * pulses / count, (i + 1) * pulses / count); });
   return intervals;
 }
 
@@ -376,29 +201,19 @@ double sum_of(const ChannelErrors& squares) { return squares[0][0] + squares[0][
 // The rows at the times of an interval that were not traced, in all columns.
 class Between {
  public:
-  Between(const Times& times, const TracedInterval& interval, const std::vector<char>& is_traced)
-      : times_(times), interval_(interval), is_traced_(is_traced) {
-    for (std::size_t pulse = interval.begin; pulse < interval.end; ++pulse)
-      if (!std::ranges::binary_search(interval.fitted, pulse)) others_.push_back(pulse);
-    const Matrix basis = basis_of(times, interval.begin, interval.end);
-    const auto at = [&](const std::vector<std::size_t>& pulses) {
-      Matrix rows(static_cast<Eigen::Index>(pulses.size()), basis.cols());
-      for (std::size_t i = 0; i < pulses.size(); ++i)
-        rows.row(static_cast<Eigen::Index>(i)) = basis.row(static_cast<Eigen::Index>(pulses[i] - interval.begin));
-      return rows;
-    };
-    const auto fitted = static_cast<Eigen::Index>(interval.fitted.size());
-    from_fitted_ = at(others_) * Eigen::ColPivHouseholderQR<Matrix>(at(interval.fitted)).solve(Matrix::Identity(fitted, fitted));
-  }
+  Between(const PathSamples& samples, const TracedInterval& interval, const std::vector<char>& is_traced)
+      : samples_(samples), interval_(interval), is_traced_(is_traced), others_(others_of(interval)) {}
 
   // Those of one look and wavenumber, whose row at a pulse row_of tells.
   Checked find(std::size_t look, double k, const std::function<std::size_t(std::size_t)>& row_of, SweepResult& all) const {
     const auto phasors = [&](const std::vector<std::size_t>& pulses) {
       std::vector<Complex> values;
-      for (const std::size_t pulse : pulses) values.push_back(times_.mean_phasor(pulse, look, k));
+      for (const std::size_t pulse : pulses) values.push_back(samples_.mean_phasor(pulse, look, k));
       return values;
     };
     const std::vector<Complex> at_fitted = phasors(interval_.fitted), at_others = phasors(others_);
+    const Eigen::Map<const Matrix> from_fitted(interval_.from_fitted.data(), static_cast<Eigen::Index>(others_.size()),
+                                               static_cast<Eigen::Index>(interval_.fitted.size()));
     Checked checked;
     visit_columns(all, [&](std::vector<ScatteringMatrix>& rows) {
       Matrix values(static_cast<Eigen::Index>(interval_.fitted.size()), 4);
@@ -406,7 +221,7 @@ class Between {
         for (int channel = 0; channel < 4; ++channel)
           values(static_cast<Eigen::Index>(i), channel) =
               rows[row_of(interval_.fitted[i])].at(channel / 2, channel % 2) * std::conj(at_fitted[i]);
-      const Matrix between = from_fitted_ * values;
+      const Matrix between = from_fitted * values;
       for (std::size_t i = 0; i < others_.size(); ++i) {
         ScatteringMatrix s;
         for (int channel = 0; channel < 4; ++channel)
@@ -430,20 +245,19 @@ class Between {
   }
 
  private:
-  const Times& times_;
+  const PathSamples& samples_;
   const TracedInterval& interval_;
   const std::vector<char>& is_traced_;  // [pulse]
   std::vector<std::size_t> others_;     // pulses that are not fitted
-  Matrix from_fitted_;                  // what those add to it, without their phasors
 };
 
 }  // namespace
 
 SweepResult with_all_times(const Case& c, const MovingTarget& target, const std::vector<TracedInterval>& intervals,
                            SweepResult all) {
-  const Times times(c, target);
+  const PathSamples samples(c, target);
   const Sweep& sweep = c.sweep;
-  const std::size_t looks = times.looks(), frequencies = sweep.frequencies.size(), per_pulse = looks * frequencies;
+  const std::size_t looks = samples.looks(), frequencies = sweep.frequencies.size(), per_pulse = looks * frequencies;
   std::vector<std::size_t> pulses;         // that were traced
   std::vector<char> is_traced(c.times());  // [pulse]
   for (const TracedInterval& interval : intervals)
@@ -463,7 +277,7 @@ SweepResult with_all_times(const Case& c, const MovingTarget& target, const std:
   double off = 0.0;  // the largest share of S at a look and frequency
   for (const TracedInterval& interval : intervals) {
     if (interval.fitted.size() == interval.end - interval.begin) continue;
-    const Between between(times, interval, is_traced);
+    const Between between(samples, interval, is_traced);
     std::vector<Checked> checked(per_pulse);
     tbb::parallel_for(std::size_t{0}, per_pulse, [&](std::size_t i) {
       const double k = wavenumber(sweep.frequencies[i % frequencies]);

@@ -19,6 +19,7 @@ struct TracedInterval {
   std::size_t begin, end;
   std::vector<std::size_t> fitted;   // ascending; all of them: nothing is left to find between
   std::vector<std::size_t> checked;  // traced as well, to compare with
+  std::vector<Complex> from_fitted;  // [fitted][other] what S adds to that at pulses which are not, but for mean phasors
 };
 
 /// Of a case with motion.retrace = "auto".

@@ -80,11 +80,12 @@ void check_case(const CheckRequest& asked) {
     else
       fmt::print("{}", check_text(section));  // at once: what follows takes seconds
   };
-  add(check_data(c, loaded.report, plan, moving.get()));
+  const std::size_t plans = plans_of(c, moving.get());
+  add(check_data(c, loaded.report, plan, moving.get(), plans));
   if (!asked.wedge_list.empty()) write_wedges(asked.wedge_list, plan);
   check_memory(plan, c);  // as a run would
   const MemoryOfRun memory = memory_of_run(plan, c);
-  const TimePrediction time = predicted_time(plan, plans_of(c, moving.get()));
+  const TimePrediction time = predicted_time(plan, plans);
   add(time_data(plan, time));
   if (asked.ranks > 0) add(ranks_data(plan, memory, time, asked.ranks));
   if (asked.json) fmt::print("{}\n", text_of_json(data, 2));

@@ -33,11 +33,29 @@ struct Look {
   AntennaPosition receiver() const { return {receive, receive_range, receive_mirror}; }        // where it stands
 };
 
-/// The way from the transmitter of a look over a place to its receiver [m]; from infinity, beyond that over the origin.
-inline double path_over(const Look& look, const dvec3& place) {
-  if (!look.far()) return glm::distance(look.transmitter().point(), place) + glm::distance(look.receiver().point(), place);
-  return -glm::dot(spherical_basis(look.transmit).radial + spherical_basis(look.receive).radial, place);
-}
+/// The ways from the transmitter of a look to places and from places to its receiver [m]; from infinity, beyond those to the
+/// origin.
+class Ways {
+ public:
+  /// Of a look; keeps nothing of it.
+  explicit Ways(const Look& look)
+      : far_(look.far()),
+        transmit_(far_ ? spherical_basis(look.transmit).radial : look.transmitter().point()),
+        receive_(far_ ? spherical_basis(look.receive).radial : look.receiver().point()) {}
+
+  /// From the transmitter to a place.
+  double to(const dvec3& place) const { return way(transmit_, place); }
+  /// From a place to the receiver.
+  double from(const dvec3& place) const { return way(receive_, place); }
+  /// From the transmitter over a place to the receiver.
+  double over(const dvec3& place) const { return to(place) + from(place); }
+
+ private:
+  double way(const dvec3& end, const dvec3& place) const { return far_ ? -glm::dot(end, place) : glm::distance(end, place); }
+
+  bool far_;
+  dvec3 transmit_, receive_;  // where the antennas are, or the directions to them
+};
 
 /// A point that stands while a turntable turns, in the coordinates that turn with it.
 inline dvec3 seen_from_turntable(const dvec3& point, double turn) {
